@@ -1,0 +1,69 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/grid/grid.hpp"
+#include "sylph_core/mapf/instance.hpp"
+#include "sylph_core/planners/planner.hpp"
+
+namespace sylph {
+
+/// One robot of an experiment. Lengths in metres.
+struct RobotSpec {
+  std::string name;        ///< `robot_0`, ...; also its namespace and its tf frame
+  std::string rigid_body;  ///< name in the motion-capture system; `name` unless given
+  double length_m = 0.23;  ///< footprint along the robot's x axis, > 0
+  double width_m = 0.20;   ///< footprint along the robot's y axis, > 0
+  Cell start;              ///< where the simulator puts it; a real robot starts where it stands
+  Cell goal;
+};
+
+/// What robots may do and what the lab measures, shared by every node: one source of these numbers.
+struct ExecutionSpec {
+  double speed_limit_mps = 0.25;         ///< > 0
+  double acceleration_limit_mps2 = 0.6;  ///< > 0
+  double turn_rate_limit_radps = 0.5;    ///< > 0
+  double position_tolerance_m = 0.010;   ///< a task is DONE within this distance of its end, > 0
+  double heading_tolerance_rad =
+      0.0524;                       ///< heading error that robots hold at all times (3 deg), > 0
+  double tracking_error_m = 0.012;  ///< largest distance from the planned segment, > 0
+  double pose_timeout_s = 0.1;      ///< a pose older than this is stale, > 0
+  double command_latency_s = 0.05;  ///< from capture to a moving wheel, >= 0
+};
+
+struct PlanningSpec {
+  std::string planner = "lacam";
+  double time_limit_s = 5.0;  ///< > 0
+};
+
+/// A lab experiment: everything that its nodes have to agree on.
+struct Experiment {
+  std::string name;      ///< file stem
+  std::string path;      ///< of the experiment file
+  std::string map_path;  ///< absolute
+  Grid grid;
+  double cell_size_m = 0.3;
+  std::vector<RobotSpec> robots;
+  std::uint32_t seed = 0;
+  PlanningSpec planning;
+  ExecutionSpec execution;
+};
+
+/// Settings that take the place of the file's, as launch arguments do.
+struct ExperimentOverrides {
+  std::optional<std::uint32_t> seed;  ///< redraws what the file calls `random`
+  std::optional<std::string> planner;
+};
+
+/// Reads an experiment file (YAML) and its map.
+/// @throws std::runtime_error with one line: file, field, what is wrong and what is allowed.
+/// Unknown keys are errors.
+Experiment loadExperiment(const std::string& path, const ExperimentOverrides& overrides = {});
+
+/// Starts and goals as a planning instance without rotations.
+Instance toInstance(const Experiment& experiment);
+
+}  // namespace sylph

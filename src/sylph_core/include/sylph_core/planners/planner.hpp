@@ -1,0 +1,67 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sylph_core/grid/rng.hpp"
+#include "sylph_core/mapf/instance.hpp"
+#include "sylph_core/mapf/types.hpp"
+
+namespace sylph {
+
+/// What a planner may spend.
+struct PlanningLimits {
+  double time_limit_s = 5.0;         ///< wall time [s], > 0
+  int max_steps = 10000;             ///< longest plan that is of use [timesteps], > 0
+  bool first_solution_only = false;  ///< stop at the first solution instead of improving it
+  int threads = 1;                   ///< > 0
+};
+
+/// Partners and social value orientations at one timestep.
+struct SocialState {
+  std::vector<AgentId> partners;  ///< per agent; an agent without partner is its own
+  std::vector<float> svo_deg;  ///< per agent, 0 selfish ... 45 prosocial [deg]; NaN where unknown
+};
+
+enum class Outcome {
+  Solved,      ///< the plan reaches all goals
+  TimeLimit,   ///< no plan found in the time given
+  StepLimit,   ///< no plan found within max_steps
+  Unsolvable,  ///< proved: there is no plan
+};
+
+std::string toString(Outcome outcome);
+
+struct PlanningStatistics {
+  double first_solution_s = 0.0;  ///< wall time until the first solution [s]
+  double total_s = 0.0;           ///< wall time of the whole call [s]
+  long search_nodes = 0;          ///< configurations generated
+  long improvements = 0;          ///< times a better plan replaced the best one
+  long policy_calls = 0;          ///< network evaluations of one joint configuration
+};
+
+struct PlanningResult {
+  Plan plan;                        ///< best plan; if not solved, as far as the planner came
+  std::vector<SocialState> social;  ///< one per joint action: plan.size() - 1
+  Outcome outcome = Outcome::TimeLimit;
+  PlanningStatistics statistics;
+};
+
+class Planner {
+ public:
+  virtual ~Planner() = default;
+
+  /// Plans an instance that requireValid() accepts.
+  virtual PlanningResult plan(const Instance& instance, const PlanningLimits& limits,
+                              Rng& rng) const = 0;
+  virtual std::string name() const = 0;
+};
+
+/// Names that makePlanner() accepts, the default first.
+const std::vector<std::string>& plannerNames();
+
+/// @throws std::invalid_argument naming the allowed names
+std::unique_ptr<Planner> makePlanner(const std::string& name);
+
+}  // namespace sylph
