@@ -1,0 +1,45 @@
+#pragma once
+
+#include "sylph_core/grid/cell_frame.hpp"
+
+namespace sylph {
+
+/// Where a robot is in the `map` frame. Yaw is counterclockwise from map x to robot x.
+struct Pose2d {
+  double x_m = 0.0;
+  double y_m = 0.0;
+  double yaw_rad = 0.0;
+};
+
+/// Velocity of a robot; the name of the variable tells the frame: `twist_robot` has x forward and
+/// y left (REP 103), `twist_map` the axes of the map.
+struct Twist2d {
+  double x_mps = 0.0;
+  double y_mps = 0.0;
+  double turn_radps = 0.0;
+};
+
+inline Point position(const Pose2d& pose) {
+  return {pose.x_m, pose.y_m};
+}
+
+/// Euclidean length of the translational part [m/s].
+double speed(const Twist2d& twist);
+
+/// Distance between two points [m].
+double distance(const Point& a, const Point& b);
+
+bool isFinite(const Pose2d& pose);
+
+/// The equal angle in (-pi, pi] [rad].
+double normalizeAngle(double angle_rad);
+
+/// The smallest rotation that turns `from_rad` into `to_rad`, in (-pi, pi] [rad].
+double shortestAngle(double from_rad, double to_rad);
+
+/// The same velocity along the axes of a robot that stands at `yaw_rad`: a rotation by -yaw.
+Twist2d robotFromMap(const Twist2d& twist_map, double yaw_rad);
+/// The same velocity along the axes of the map: a rotation by yaw.
+Twist2d mapFromRobot(const Twist2d& twist_robot, double yaw_rad);
+
+}  // namespace sylph
