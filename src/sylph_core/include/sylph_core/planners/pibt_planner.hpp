@@ -1,0 +1,25 @@
+#pragma once
+
+#include <string>
+
+#include "sylph_core/planners/generator_factory.hpp"
+#include "sylph_core/planners/planner.hpp"
+
+namespace sylph {
+
+/// One joint step of a generator after the other until everybody is on its goal. Fast and
+/// incomplete: agents can go round in circles until the step or time limit.
+class PibtPlanner : public Planner {
+ public:
+  PibtPlanner(std::string name, GeneratorFactory make_generator);
+
+  PlanningResult plan(const Instance& instance, const PlanningLimits& limits,
+                      Rng& rng) const override;
+  std::string name() const override { return name_; }
+
+ private:
+  std::string name_;
+  GeneratorFactory make_generator_;
+};
+
+}  // namespace sylph

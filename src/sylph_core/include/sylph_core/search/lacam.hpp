@@ -1,0 +1,99 @@
+#pragma once
+
+#include <cstdint>
+#include <deque>
+#include <unordered_map>
+#include <vector>
+
+#include "sylph_core/grid/rng.hpp"
+#include "sylph_core/search/configuration_generator.hpp"
+#include "sylph_core/search/deadline.hpp"
+#include "sylph_core/search/distance_tables.hpp"
+#include "sylph_core/search/graph.hpp"
+
+namespace sylph {
+
+/// LaCAM*: depth-first search over configurations with lazily enumerated successors.
+///
+/// Okumura 2023, "LaCAM: Search-Based Algorithm for Quick Multi-Agent Pathfinding" and "Improving
+/// LaCAM for Scalable Eventually Optimal Multi-Agent Pathfinding".
+///
+/// Each configuration carries a tree of constraints, each binding one more agent, in the order of
+/// the generator, to one of its moves. Before a constraint is handed to the generator its children
+/// are appended, so that in the end every legal step is at a leaf, where all agents are bound and
+/// the generator can only say whether the step is legal. Children are left out only if the agents
+/// bound so far already collide, swap or (without rotations) move round a ring, which no further
+/// binding mends. Thus the search sees every configuration that can be reached under the motion
+/// model: it finds a solution if there is one and is exhausted if there is none.
+///
+/// After the first solution the search goes on among the configurations that can still lead to a
+/// better one, and shortens the ways to known ones ("rewiring"). The cost it minimises is the sum
+/// over agents and timesteps of not resting on the goal, which is the sum of costs up to rests on
+/// the goal before an agent leaves it again.
+class Lacam {
+ public:
+  enum class Status { Solved, Exhausted, OutOfTime };
+
+  /// All arguments by reference must outlive this object.
+  Lacam(const Graph& graph, const Vertices& starts, const Vertices& goals,
+        const DistanceTables& distances, MotionModel motion, ConfigurationGenerator& generator,
+        Rng& rng);
+
+  /// Searches until a solution is found that is better than the one known before.
+  /// @return Exhausted: there is none, so that the one known before, if any, is optimal
+  Status search(const Deadline& deadline);
+
+  /// Makes the configurations of a legal plan from the starts known to the search.
+  void insert(const std::vector<Vertices>& plan);
+
+  bool isSolved() const { return goal_ != nullptr; }
+  /// The solution; before there is one, the way to the configuration nearest to the goals.
+  std::vector<Vertices> plan() const;
+  /// Configurations generated.
+  long nodeCount() const { return static_cast<long>(nodes_.size()); }
+
+ private:
+  struct Constraint {
+    std::int32_t parent;
+    std::int32_t depth;  // number of agents bound
+    VertexId target;     // of agent order[depth - 1]
+  };
+  struct Node {
+    Vertices configuration;
+    std::vector<int> waited;
+    std::vector<AgentId> order;
+    std::vector<Constraint> constraints;  // a queue from next_constraint on
+    std::size_t next_constraint = 0;
+    std::vector<Node*> successors;
+    Node* parent = nullptr;
+    long cost = 0;        // to come
+    long cost_to_go = 0;  // lower bound
+  };
+
+  Node* findNode(const Vertices& configuration, std::uint64_t hash) const;
+  Node* addNode(const Vertices& configuration, std::uint64_t hash, Node* parent);
+  void expandOnce(Node& node);
+  void bind(const Node& node, std::size_t constraint);
+  void appendChildren(Node& node, std::size_t constraint);
+  bool isConsistent(const Node& node, int depth, VertexId target) const;
+  void connect(Node& from, Node& to);
+  bool isWorthwhile(const Node& node) const;
+  long stepCost(const Vertices& from, const Vertices& to) const;
+
+  const Graph* graph_;
+  Vertices goals_;
+  const DistanceTables* distances_;
+  MotionModel motion_;
+  ConfigurationGenerator* generator_;
+  Rng* rng_;
+
+  std::deque<Node> nodes_;
+  std::unordered_multimap<std::uint64_t, Node*> explored_;
+  std::vector<Node*> open_;  // a stack
+  Node* start_ = nullptr;
+  Node* goal_ = nullptr;
+  Node* nearest_ = nullptr;
+  Vertices to_;  // scratch: the step being generated
+};
+
+}  // namespace sylph

@@ -1,0 +1,53 @@
+#include "sylph_core/search/graph.hpp"
+
+#include "sylph_core/grid/action.hpp"
+
+namespace sylph {
+
+Graph::Graph(const Grid& grid) : rows_(grid.rows()), cols_(grid.cols()), cells_(grid.freeCells()) {
+  vertices_.assign(static_cast<std::size_t>(grid.size()), kNoVertex);
+  for (std::size_t vertex = 0; vertex < cells_.size(); ++vertex) {
+    vertices_[static_cast<std::size_t>(grid.indexOf(cells_[vertex]))] =
+        static_cast<VertexId>(vertex);
+  }
+  offsets_.reserve(cells_.size() + 1);
+  targets_.reserve(cells_.size() * 4);
+  for (const Cell& cell : cells_) {
+    offsets_.push_back(targets_.size());
+    for (const Action action : {Action::North, Action::East, Action::South, Action::West}) {
+      if (grid.isFree(neighbor(cell, action))) {
+        targets_.push_back(vertexAt(neighbor(cell, action)));
+      }
+    }
+  }
+  offsets_.push_back(targets_.size());
+}
+
+Vertices Graph::toVertices(const Configuration& cells) const {
+  Vertices vertices;
+  vertices.reserve(cells.size());
+  for (const Cell& cell : cells) {
+    vertices.push_back(vertexAt(cell));
+  }
+  return vertices;
+}
+
+Configuration Graph::toCells(const Vertices& vertices) const {
+  Configuration cells;
+  cells.reserve(vertices.size());
+  for (const VertexId vertex : vertices) {
+    cells.push_back(cellAt(vertex));
+  }
+  return cells;
+}
+
+Plan Graph::toPlan(const std::vector<Vertices>& configurations) const {
+  Plan plan;
+  plan.reserve(configurations.size());
+  for (const Vertices& vertices : configurations) {
+    plan.push_back(toCells(vertices));
+  }
+  return plan;
+}
+
+}  // namespace sylph

@@ -1,0 +1,215 @@
+#include "sylph_core/search/lacam.hpp"
+
+#include <algorithm>
+#include <queue>
+
+#include "sylph_core/search/pibt_generator.hpp"
+
+namespace sylph {
+namespace {
+
+constexpr int kStepsBetweenClockReads = 16;
+
+std::uint64_t hashOf(const Vertices& configuration) {
+  std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
+  for (const VertexId vertex : configuration) {
+    hash = (hash ^ static_cast<std::uint64_t>(vertex)) * 0xff51afd7ed558ccdULL;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
+}  // namespace
+
+Lacam::Lacam(const Graph& graph, const Vertices& starts, const Vertices& goals,
+             const DistanceTables& distances, MotionModel motion, ConfigurationGenerator& generator,
+             Rng& rng)
+    : graph_(&graph),
+      goals_(goals),
+      distances_(&distances),
+      motion_(motion),
+      generator_(&generator),
+      rng_(&rng) {
+  start_ = addNode(starts, hashOf(starts), nullptr);
+  open_.push_back(start_);
+}
+
+Lacam::Status Lacam::search(const Deadline& deadline) {
+  const long cost_before = goal_ == nullptr ? 0 : goal_->cost;
+  const bool was_solved = isSolved();
+  for (long iteration = 0; !open_.empty(); ++iteration) {
+    if (iteration % kStepsBetweenClockReads == 0 && deadline.isOver()) {
+      return Status::OutOfTime;
+    }
+    Node& node = *open_.back();
+    if (!isWorthwhile(node) || node.next_constraint == node.constraints.size()) {
+      open_.pop_back();
+      continue;
+    }
+    if (!isSolved() && node.configuration == goals_) {
+      goal_ = &node;
+    } else {
+      expandOnce(node);
+    }
+    if (isSolved() && (!was_solved || goal_->cost < cost_before)) {
+      return Status::Solved;
+    }
+  }
+  return Status::Exhausted;
+}
+
+bool Lacam::isWorthwhile(const Node& node) const {
+  return !isSolved() || node.cost + node.cost_to_go < goal_->cost;
+}
+
+void Lacam::expandOnce(Node& node) {
+  const std::size_t constraint = node.next_constraint++;
+  bind(node, constraint);
+  appendChildren(node, constraint);
+  if (!generator_->generate(node.configuration, node.order, to_)) {
+    return;
+  }
+  const std::uint64_t hash = hashOf(to_);
+  Node* known = findNode(to_, hash);
+  if (known == nullptr) {
+    known = addNode(to_, hash, &node);
+    node.successors.push_back(known);
+  } else {
+    connect(node, *known);
+  }
+  open_.push_back(known);
+}
+
+// Writes the vertices that a constraint and its ancestors bind agents to into to_.
+void Lacam::bind(const Node& node, std::size_t constraint) {
+  to_.assign(goals_.size(), kNoVertex);
+  const Constraint* bound = &node.constraints[constraint];
+  while (bound->depth > 0) {
+    to_[node.order[bound->depth - 1]] = bound->target;
+    bound = &node.constraints[bound->parent];
+  }
+}
+
+void Lacam::appendChildren(Node& node, std::size_t constraint) {
+  const int depth = node.constraints[constraint].depth;
+  if (depth == static_cast<int>(goals_.size())) {
+    return;
+  }
+  const VertexId at = node.configuration[node.order[depth]];
+  const Graph::Neighbors neighbors = graph_->neighbors(at);
+  Vertices targets(neighbors.begin(), neighbors.end());
+  targets.push_back(at);
+  std::shuffle(targets.begin(), targets.end(), *rng_);
+  for (const VertexId target : targets) {
+    if (isConsistent(node, depth, target)) {
+      node.constraints.push_back({static_cast<std::int32_t>(constraint), depth + 1, target});
+    }
+  }
+}
+
+// Whether agent order[depth] may go to `target` along with the agents bound in to_, which are the
+// first `depth` in order.
+bool Lacam::isConsistent(const Node& node, int depth, VertexId target) const {
+  const auto bound_begin = node.order.begin();
+  const auto bound_end = node.order.begin() + depth;
+  const VertexId home = node.configuration[node.order[depth]];
+  if (std::any_of(bound_begin, bound_end,
+                  [&](const AgentId other) { return to_[other] == target; })) {
+    return false;
+  }
+  // Follow the bound agents that leave the vertex which the one before enters.
+  VertexId entered = target;
+  for (int length = 2; entered != home; ++length) {
+    const auto leaving = std::find_if(bound_begin, bound_end, [&](const AgentId other) {
+      return node.configuration[other] == entered && to_[other] != entered;
+    });
+    if (leaving == bound_end || (motion_.rotations && length > 2)) {
+      return true;
+    }
+    entered = to_[*leaving];
+  }
+  return target == home;
+}
+
+Lacam::Node* Lacam::findNode(const Vertices& configuration, std::uint64_t hash) const {
+  const auto [first, last] = explored_.equal_range(hash);
+  const auto found = std::find_if(
+      first, last, [&](const auto& entry) { return entry.second->configuration == configuration; });
+  return found == last ? nullptr : found->second;
+}
+
+Lacam::Node* Lacam::addNode(const Vertices& configuration, std::uint64_t hash, Node* parent) {
+  Node& node = nodes_.emplace_back();
+  node.configuration = configuration;
+  node.parent = parent;
+  node.waited =
+      updateWaited(parent == nullptr ? std::vector<int>(goals_.size(), 0) : parent->waited,
+                   configuration, goals_);
+  node.order = generator_->order(configuration, node.waited);
+  node.constraints.push_back({0, 0, kNoVertex});
+  node.cost = parent == nullptr ? 0 : parent->cost + stepCost(parent->configuration, configuration);
+  node.cost_to_go = distances_->sum(configuration);
+  explored_.emplace(hash, &node);
+  if (nearest_ == nullptr || node.cost_to_go < nearest_->cost_to_go) {
+    nearest_ = &node;
+  }
+  return &node;
+}
+
+// Notes a step between known configurations and passes on what it shortens.
+void Lacam::connect(Node& from, Node& to) {
+  if (std::find(from.successors.begin(), from.successors.end(), &to) == from.successors.end()) {
+    from.successors.push_back(&to);
+  }
+  std::queue<Node*> shortened({&from});
+  while (!shortened.empty()) {
+    Node& node = *shortened.front();
+    shortened.pop();
+    for (Node* next : node.successors) {
+      const long cost = node.cost + stepCost(node.configuration, next->configuration);
+      if (cost < next->cost) {
+        next->cost = cost;
+        next->parent = &node;
+        shortened.push(next);
+        if (isSolved() && isWorthwhile(*next)) {
+          open_.push_back(next);
+        }
+      }
+    }
+  }
+}
+
+void Lacam::insert(const std::vector<Vertices>& plan) {
+  Node* node = start_;
+  for (std::size_t timestep = 1; timestep < plan.size(); ++timestep) {
+    const std::uint64_t hash = hashOf(plan[timestep]);
+    Node* next = findNode(plan[timestep], hash);
+    if (next == nullptr) {
+      next = addNode(plan[timestep], hash, node);
+      node->successors.push_back(next);
+      open_.push_back(next);
+    } else {
+      connect(*node, *next);
+    }
+    node = next;
+  }
+}
+
+long Lacam::stepCost(const Vertices& from, const Vertices& to) const {
+  long cost = 0;
+  for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
+    cost += from[agent] != goals_[agent] || to[agent] != goals_[agent] ? 1 : 0;
+  }
+  return cost;
+}
+
+std::vector<Vertices> Lacam::plan() const {
+  std::vector<Vertices> plan;
+  for (const Node* node = isSolved() ? goal_ : nearest_; node != nullptr; node = node->parent) {
+    plan.push_back(node->configuration);
+  }
+  std::reverse(plan.begin(), plan.end());
+  return plan;
+}
+
+}  // namespace sylph

@@ -1,0 +1,115 @@
+#include "sylph_core/planners/planner.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "sylph_core/grid/components.hpp"
+#include "sylph_core/mapf/check_plan.hpp"
+#include "sylph_core/mapf/metrics.hpp"
+
+namespace sylph {
+namespace {
+
+Instance randomInstance(std::uint32_t seed, int side, double density, int agents, bool rotations) {
+  Rng rng(seed);
+  Instance instance{Grid(side, side), {}, {}, {rotations}};
+  for (int index = 0; index < instance.grid.size(); ++index) {
+    instance.grid.setObstacle(instance.grid.cellAt(index),
+                              static_cast<double>(rng()) < density * 4294967296.0);
+  }
+  Configuration cells = connectedComponents(instance.grid).cells.front();
+  std::shuffle(cells.begin(), cells.end(), rng);
+  instance.starts.assign(cells.begin(), cells.begin() + agents);
+  std::shuffle(cells.begin(), cells.end(), rng);
+  instance.goals.assign(cells.begin(), cells.begin() + agents);
+  return instance;
+}
+
+TEST(MakePlannerTest, KnowsItsNames) {
+  for (const std::string& name : plannerNames()) {
+    EXPECT_EQ(name, makePlanner(name)->name());
+  }
+}
+
+TEST(MakePlannerTest, NamesTheAllowedOnesWhenAskedForAnother) {
+  try {
+    makePlanner("astar");
+    FAIL() << "accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("lacam"));
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("astar"));
+  }
+}
+
+TEST(PlannerTest, EveryKindReturnsLegalPlansUnderEitherMotionModel) {
+  PlanningLimits limits;
+  limits.time_limit_s = 0.2;
+  for (const std::string& name : plannerNames()) {
+    for (std::uint32_t seed = 0; seed < 12; ++seed) {
+      SCOPED_TRACE(name + ", seed " + std::to_string(seed));
+      const Instance instance = randomInstance(seed, 12, 0.15, 30, seed % 2 == 0);
+      Rng rng(seed);
+      const PlanningResult result = makePlanner(name)->plan(instance, limits, rng);
+      const auto violation = checkPlan(instance, result.plan);
+      if (result.outcome == Outcome::Solved) {
+        ASSERT_FALSE(violation.has_value()) << violation->message;
+      } else {
+        ASSERT_TRUE(violation && violation->kind == ViolationKind::GoalNotReached);
+      }
+      EXPECT_EQ(result.plan.size() - 1, result.social.size());
+    }
+  }
+}
+
+TEST(PlannerTest, PibtIsNeverStoppedByARingThatItMayNotClose) {
+  PlanningLimits limits;
+  limits.max_steps = 60;
+  for (std::uint32_t seed = 0; seed < 100; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Instance instance = randomInstance(seed, 5, 0.0, 22, false);
+    Rng rng(seed);
+    const PlanningResult result = makePlanner("pibt")->plan(instance, limits, rng);
+    const auto violation = checkPlan(instance, result.plan);
+    EXPECT_TRUE(!violation || violation->kind == ViolationKind::GoalNotReached)
+        << violation->message;
+  }
+}
+
+TEST(PlannerTest, TheSameSeedGivesTheSameFirstPlan) {
+  const Instance instance = randomInstance(5, 16, 0.2, 60, false);
+  PlanningLimits limits;
+  limits.first_solution_only = true;
+  for (const std::string& name : plannerNames()) {
+    Rng one(7);
+    Rng other(7);
+    EXPECT_EQ(makePlanner(name)->plan(instance, limits, one).plan,
+              makePlanner(name)->plan(instance, limits, other).plan);
+  }
+}
+
+TEST(PlannerTest, AnInstanceThatIsSolvedAlreadyNeedsNoStep) {
+  const Instance instance{Grid(2, 2), {{0, 0}}, {{0, 0}}, {}};
+  for (const std::string& name : plannerNames()) {
+    Rng rng(1);
+    const PlanningResult result = makePlanner(name)->plan(instance, {}, rng);
+    EXPECT_EQ(Outcome::Solved, result.outcome);
+    EXPECT_EQ(Plan{instance.starts}, result.plan);
+    EXPECT_TRUE(result.social.empty());
+  }
+}
+
+TEST(PlannerTest, SaysWhenThePlanWouldBeTooLong) {
+  const Instance instance{Grid(1, 9), {{0, 0}}, {{0, 8}}, {}};
+  PlanningLimits limits;
+  limits.max_steps = 7;
+  for (const std::string& name : plannerNames()) {
+    Rng rng(1);
+    EXPECT_EQ(Outcome::StepLimit, makePlanner(name)->plan(instance, limits, rng).outcome);
+  }
+}
+
+}  // namespace
+}  // namespace sylph
