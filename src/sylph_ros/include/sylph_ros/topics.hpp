@@ -25,6 +25,7 @@ constexpr char kTaskReportTopic[] = "task_report";
 constexpr char kPoseTopic[] = "pose";
 constexpr char kOdometryTopic[] = "odom";
 constexpr char kCommandTopic[] = "cmd_vel";
+constexpr char kFootprintTopic[] = "footprint";  // latched PolygonStamped in the robot's frame
 
 // Global.
 constexpr char kMapTopic[] = "/map";

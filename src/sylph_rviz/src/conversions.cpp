@@ -1,0 +1,68 @@
+#include "sylph_rviz/conversions.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "sylph_ros/conversions.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_rviz {
+
+Scene sceneOf(const sylph::Experiment& experiment) {
+  Scene scene;
+  scene.map = MapExtent{experiment.grid.rows(), experiment.grid.cols(), experiment.cell_size_m};
+  for (const sylph::RobotSpec& spec : experiment.robots) {
+    RobotView robot;
+    robot.name = spec.name;
+    robot.length_m = spec.length_m;
+    robot.width_m = spec.width_m;
+    robot.goal = spec.goal;
+    scene.robots.push_back(std::move(robot));
+  }
+  return scene;
+}
+
+std::optional<sylph::Pose2d> fromMessage(const geometry_msgs::PoseStamped& message) {
+  const sylph::Pose2d pose{message.pose.position.x, message.pose.position.y,
+                           sylph_ros::yawOf(message.pose.orientation)};
+  if (message.header.frame_id != sylph_ros::kMapFrame || !sylph::isFinite(pose)) {
+    return std::nullopt;
+  }
+  return pose;
+}
+
+std::optional<MapExtent> extentOf(const nav_msgs::OccupancyGrid& message) {
+  if (message.info.width == 0 || message.info.height == 0 || !(message.info.resolution > 0.0F)) {
+    return std::nullopt;
+  }
+  return MapExtent{static_cast<int>(message.info.height), static_cast<int>(message.info.width),
+                   static_cast<double>(message.info.resolution)};
+}
+
+geometry_msgs::PolygonStamped footprintOf(const RobotView& robot) {
+  const float x = static_cast<float>(0.5 * robot.length_m);
+  const float y = static_cast<float>(0.5 * robot.width_m);
+  geometry_msgs::PolygonStamped message;
+  message.header.frame_id = robot.name;
+  message.polygon.points.resize(4);
+  message.polygon.points[0].x = message.polygon.points[3].x = -x;
+  message.polygon.points[1].x = message.polygon.points[2].x = x;
+  message.polygon.points[0].y = message.polygon.points[1].y = -y;
+  message.polygon.points[2].y = message.polygon.points[3].y = y;
+  return message;
+}
+
+void setFootprint(RobotView& robot, const geometry_msgs::PolygonStamped& footprint) {
+  float x = 0.0F;
+  float y = 0.0F;
+  for (const geometry_msgs::Point32& corner : footprint.polygon.points) {
+    x = std::max(x, std::abs(corner.x));
+    y = std::max(y, std::abs(corner.y));
+  }
+  if (x > 0.0F && y > 0.0F && std::isfinite(x) && std::isfinite(y)) {
+    robot.length_m = 2.0 * static_cast<double>(x);
+    robot.width_m = 2.0 * static_cast<double>(y);
+  }
+}
+
+}  // namespace sylph_rviz

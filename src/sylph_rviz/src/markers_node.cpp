@@ -1,0 +1,119 @@
+#include "sylph_rviz/markers_node.hpp"
+
+#include <ros/console.h>
+
+#include "sylph_ros/experiment.hpp"
+#include "sylph_ros/parameters.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_rviz {
+
+MarkersNode::MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
+    : nh_(std::move(nh)),
+      options_(loadOptions(private_nh)),
+      clock_(sylph_ros::SteadyClock::fromParameter(nh_)) {
+  std::string experiment;
+  sylph_ros::read(private_nh, "experiment", experiment);
+  has_experiment_ = !experiment.empty();
+  if (has_experiment_) {
+    scene_ = sceneOf(sylph_ros::loadExperiment(private_nh));
+    for (std::size_t robot = 0; robot < scene_.robots.size(); ++robot) {
+      listenTo(robot);
+    }
+  }
+  for (const Layer& layer : kLayers) {
+    outputs_.push_back({nh_.advertise<visualization_msgs::MarkerArray>(layer.topic, 1), {}});
+  }
+  state_subscriber_ = nh_.subscribe(sylph_ros::kAdgStateTopic, 1, &MarkersNode::onAdgState, this);
+  map_subscriber_ = nh_.subscribe(sylph_ros::kMapTopic, 1, &MarkersNode::onMap, this);
+  separation_subscriber_ = nh_.subscribe<sylph_msgs::SeparationState>(
+      sylph_ros::kSeparationTopic, 1, [this](const sylph_msgs::SeparationState::ConstPtr& message) {
+        scene_.separation = *message;
+      });
+  // Wall time: the picture stays alive when a simulation or a replay is paused.
+  timer_ = nh_.createSteadyTimer(ros::WallDuration(1.0 / options_.rate_hz),
+                                 [this](const ros::SteadyTimerEvent&) { publishLayers(); });
+}
+
+void MarkersNode::onAdgState(const sylph_msgs::AdgState& message) {
+  for (const sylph_msgs::RobotExecution& robot : message.robots) {
+    if (findRobot(scene_, robot.robot_id) == nullptr && !robot.robot_id.empty()) {
+      addRobot(robot.robot_id);
+    }
+  }
+  for (RobotView& view : scene_.robots) {
+    view.execution.reset();
+    for (const sylph_msgs::RobotExecution& robot : message.robots) {
+      if (robot.robot_id == view.name) {
+        view.execution = robot;
+      }
+    }
+  }
+  scene_.state = message;
+}
+
+void MarkersNode::onMap(const nav_msgs::OccupancyGrid& message) {
+  if (const auto extent = extentOf(message)) {
+    scene_.map = extent;
+  } else {
+    ROS_WARN_THROTTLE(1.0, "dropped a map without cells or resolution");
+  }
+}
+
+void MarkersNode::onPose(std::size_t robot, const geometry_msgs::PoseStamped& message) {
+  if (const auto pose = fromMessage(message)) {
+    scene_.robots[robot].pose = pose;
+    inputs_[robot].pose_received_s = clock_.now();
+  } else {
+    ROS_WARN_THROTTLE(1.0, "dropped a pose of %s that is not finite or not in frame %s: %s",
+                      scene_.robots[robot].name.c_str(), sylph_ros::kMapFrame,
+                      message.header.frame_id.c_str());
+  }
+}
+
+void MarkersNode::addRobot(const std::string& name) {
+  RobotView view;
+  view.name = name;
+  scene_.robots.push_back(std::move(view));
+  listenTo(scene_.robots.size() - 1);
+}
+
+void MarkersNode::listenTo(std::size_t robot) {
+  const RobotView& view = scene_.robots[robot];
+  const std::string ns = "/" + view.name + "/";
+  RobotInput input;
+  input.pose = nh_.subscribe<geometry_msgs::PoseStamped>(
+      ns + sylph_ros::kPoseTopic, 1,
+      [this, robot](const geometry_msgs::PoseStamped::ConstPtr& message) {
+        onPose(robot, *message);
+      });
+  if (has_experiment_) {
+    input.footprint_publisher =
+        nh_.advertise<geometry_msgs::PolygonStamped>(ns + sylph_ros::kFootprintTopic, 1, true);
+    input.footprint_publisher.publish(footprintOf(view));
+  } else {
+    input.footprint = nh_.subscribe<geometry_msgs::PolygonStamped>(
+        ns + sylph_ros::kFootprintTopic, 1,
+        [this, robot](const geometry_msgs::PolygonStamped::ConstPtr& message) {
+          setFootprint(scene_.robots[robot], *message);
+        });
+  }
+  inputs_.push_back(std::move(input));
+}
+
+void MarkersNode::publishLayers() {
+  for (std::size_t robot = 0; robot < scene_.robots.size(); ++robot) {
+    const double age_s = clock_.now() - inputs_[robot].pose_received_s;
+    scene_.robots[robot].pose_is_stale = age_s > options_.pose_timeout_s;
+  }
+  for (std::size_t i = 0; i < kLayers.size(); ++i) {
+    if (outputs_[i].publisher.getNumSubscribers() > 0) {
+      // RViz counts a marker's lifetime in ROS time, which runs faster in a fast simulation.
+      const double lifetime_s = options_.lifetime_s * clock_.speed();
+      outputs_[i].publisher.publish(
+          outputs_[i].history.update(kLayers.at(i).draw(scene_), lifetime_s));
+    }
+  }
+}
+
+}  // namespace sylph_rviz

@@ -1,0 +1,96 @@
+#include <cmath>
+
+#include "sylph_rviz/layers.hpp"
+#include "sylph_rviz/palette.hpp"
+
+namespace sylph_rviz {
+namespace {
+
+constexpr double kGoalRadiusM = 0.13;
+constexpr double kStaleAlpha = 0.4;
+constexpr std::size_t kLanes = 8;
+constexpr double kLaneM = 0.018;  // from lane to lane
+
+std::optional<sylph::Cell> goalOf(const RobotView& robot, bool has_plan) {
+  if (has_plan && robot.execution) {
+    return sylph::Cell{robot.execution->goal.row, robot.execution->goal.col};
+  }
+  return robot.goal;
+}
+
+/// How far a robot's path lies from the cells' centres, along x and along y [m].
+double laneOf(std::size_t index) {
+  return (static_cast<double>(index % kLanes) - 0.5 * static_cast<double>(kLanes - 1)) * kLaneM;
+}
+
+}  // namespace
+
+Markers robotMarkers(const Scene& scene) {
+  Markers markers;
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    const RobotView& robot = scene.robots[i];
+    if (!robot.pose) {
+      continue;
+    }
+    const int id = static_cast<int>(i);
+    const auto color = withAlpha(robotColor(i), robot.pose_is_stale ? kStaleAlpha : 1.0);
+    const auto ink = textColorOn(robotColor(i));
+    markers.push_back(
+        attach(box({"body", id}, {0.0, 0.0}, robot.length_m, robot.width_m, height::kBody, color),
+               robot, true));
+    const double front_m = 0.5 * robot.length_m - 0.015;
+    markers.push_back(attach(
+        lineList({"front", id}, {{front_m, 0.35 * robot.width_m}, {front_m, -0.35 * robot.width_m}},
+                 height::kBody + 0.005, 0.02, withAlpha(ink, 0.6)),
+        robot, true));
+    markers.push_back(attach(
+        text({"name", id}, {0.02, -0.03}, height::kText, 0.12, shortName(robot.name), ink), robot));
+  }
+  return markers;
+}
+
+Markers goalMarkers(const Scene& scene) {
+  Markers markers;
+  const bool has_plan = scene.state && scene.state->plan_id != 0;
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    const auto goal = goalOf(scene.robots[i], has_plan);
+    const auto center = goal ? centerOf(scene, *goal) : std::nullopt;
+    if (!center) {
+      continue;
+    }
+    const int id = static_cast<int>(i);
+    markers.push_back(
+        ring({"ring", id}, *center, kGoalRadiusM, height::kGoal, 0.025, robotColor(i)));
+    markers.push_back(text({"name", id}, *center, height::kGoal, 0.12,
+                           shortName(scene.robots[i].name), robotColor(i)));
+  }
+  return markers;
+}
+
+Markers pathMarkers(const Scene& scene) {
+  Markers markers;
+  for (std::size_t i = 0; i < scene.robots.size(); ++i) {
+    const RobotView& robot = scene.robots[i];
+    if (!robot.pose || !robot.execution || robot.execution->remaining_path.size() < 2) {
+      continue;
+    }
+    const double lane_m = laneOf(i);
+    std::vector<sylph::Point> points = {sylph::position(*robot.pose)};
+    // The first cell of the path lies behind the robot or under it.
+    for (std::size_t k = 1; k < robot.execution->remaining_path.size(); ++k) {
+      const sylph_msgs::Cell& cell = robot.execution->remaining_path[k];
+      if (const auto center = centerOf(scene, {cell.row, cell.col})) {
+        points.push_back({center->x + lane_m, center->y + lane_m});
+      }
+    }
+    if (points.size() < 2) {
+      continue;
+    }
+    const int id = static_cast<int>(i);
+    const auto color = withAlpha(robotColor(i), 0.85);
+    markers.push_back(lineStrip({"line", id}, points, height::kPath, 0.018, color));
+  }
+  return markers;
+}
+
+}  // namespace sylph_rviz
