@@ -22,5 +22,6 @@ function(sylph_add_gtest target)
     add_test(NAME ${target} COMMAND ${target} WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR})
   endif()
   target_link_libraries(${target} ${PROJECT_NAME})
+  target_include_directories(${target} PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})  # "test/support/..."
   sylph_set_warnings(${target})
 endfunction()

@@ -1,11 +1,192 @@
 #include "sylph_core/experiment/experiment.hpp"
 
+#include <algorithm>
+#include <filesystem>
+#include <limits>
+#include <set>
 #include <stdexcept>
+#include <utility>
+
+#include "files/text_file.hpp"
+#include "files/yaml_map.hpp"
+#include "sylph_core/grid/map_file.hpp"
+#include "sylph_core/mapf/random_instance.hpp"
 
 namespace sylph {
+namespace {
 
-Experiment loadExperiment(const std::string& path, const ExperimentOverrides& /*overrides*/) {
-  throw std::runtime_error(path + ": reading experiments is not written yet");
+/// Names of ROS graph resources without namespaces: they become namespaces and frames.
+bool isRosName(const std::string& name) {
+  const auto isLetter = [](char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); };
+  const auto isAllowed = [&](char c) { return isLetter(c) || (c >= '0' && c <= '9') || c == '_'; };
+  return !name.empty() && isLetter(name.front()) &&
+         std::all_of(name.begin(), name.end(), isAllowed);
+}
+
+/// Where cells come from: a robot's own field, or a draw in which the field has no place.
+Cell readCell(const YamlMap& yaml, const std::string& key, bool is_random) {
+  if (!is_random) {
+    return yaml.cell(key);
+  }
+  if (yaml.has(key)) {
+    throw yaml.error(key, "has no place here, '" + key + "s: random' draws it");
+  }
+  return {};
+}
+
+RobotSpec readRobot(const YamlMap& yaml, const std::vector<double>& footprint_m,
+                    bool has_random_start, bool has_random_goal) {
+  yaml.requireOnly({"name", "rigid_body", "footprint_m", "start", "goal"});
+  RobotSpec robot;
+  robot.name = yaml.text("name");
+  if (!isRosName(robot.name)) {
+    throw yaml.error("name", inQuotes(robot.name) +
+                                 ", must be a letter followed by letters, digits and underscores");
+  }
+  robot.rigid_body = yaml.text("rigid_body", robot.name);
+  const std::vector<double> own_m =
+      yaml.has("footprint_m") ? yaml.numbers("footprint_m", 2, Range::positive()) : footprint_m;
+  robot.length_m = own_m[0];
+  robot.width_m = own_m[1];
+  robot.start = readCell(yaml, "start", has_random_start);
+  robot.goal = readCell(yaml, "goal", has_random_goal);
+  return robot;
+}
+
+std::vector<RobotSpec> readRobots(const YamlMap& yaml, bool has_random_starts,
+                                  bool has_random_goals) {
+  const RobotSpec defaults;
+  const std::vector<double> footprint_m =
+      yaml.has("footprint_m") ? yaml.numbers("footprint_m", 2, Range::positive())
+                              : std::vector<double>{defaults.length_m, defaults.width_m};
+  std::vector<RobotSpec> robots;
+  std::set<std::string> names;
+  std::set<std::string> rigid_bodies;
+  for (const YamlMap& entry : yaml.maps("robots")) {
+    robots.push_back(readRobot(entry, footprint_m, has_random_starts, has_random_goals));
+    if (!names.insert(robots.back().name).second) {
+      throw entry.error("name", inQuotes(robots.back().name) + " is another robot's name too");
+    }
+    if (!rigid_bodies.insert(robots.back().rigid_body).second) {
+      throw entry.error("rigid_body",
+                        inQuotes(robots.back().rigid_body) + " is another robot's rigid body too");
+    }
+  }
+  return robots;
+}
+
+PlanningSpec readPlanning(const YamlMap& yaml) {
+  yaml.requireOnly({"planner", "time_limit_s"});
+  PlanningSpec spec;
+  spec.planner = yaml.word("planner", plannerNames(), spec.planner);
+  spec.time_limit_s = yaml.number("time_limit_s", spec.time_limit_s, Range::positive());
+  return spec;
+}
+
+ExecutionSpec readExecution(const YamlMap& yaml) {
+  ExecutionSpec spec;
+  const std::vector<std::pair<std::string, double*>> positive_members = {
+      {"speed_limit_mps", &spec.speed_limit_mps},
+      {"acceleration_limit_mps2", &spec.acceleration_limit_mps2},
+      {"turn_rate_limit_radps", &spec.turn_rate_limit_radps},
+      {"position_tolerance_m", &spec.position_tolerance_m},
+      {"heading_tolerance_rad", &spec.heading_tolerance_rad},
+      {"tracking_error_m", &spec.tracking_error_m},
+      {"pose_timeout_s", &spec.pose_timeout_s},
+  };
+  std::vector<std::string> allowed = {"command_latency_s"};
+  for (const auto& [key, member] : positive_members) {
+    allowed.push_back(key);
+    *member = yaml.number(key, *member, Range::positive());
+  }
+  yaml.requireOnly(allowed);
+  spec.command_latency_s =
+      yaml.number("command_latency_s", spec.command_latency_s, Range::atLeast(0.0));
+  return spec;
+}
+
+/// Of the name that takes the place of the file's, which no field of the file can be blamed for.
+void requireKnownPlanner(const std::string& name) {
+  const std::vector<std::string>& known = plannerNames();
+  if (std::find(known.begin(), known.end(), name) == known.end()) {
+    std::string allowed;
+    for (const std::string& candidate : known) {
+      allowed += (allowed.empty() ? "" : ", ") + candidate;
+    }
+    throw std::runtime_error("planner " + inQuotes(name) + ": must be one of " + allowed);
+  }
+}
+
+/// Reads the map and the size of its cells.
+void readMap(const YamlMap& yaml, Experiment& experiment) {
+  experiment.map_path = resolvePath(experiment.path, yaml.text("map"));
+  MapFile map = loadMapFile(experiment.map_path);
+  experiment.grid = std::move(map.grid);
+  const double otherwise_m = map.cell_size_m.value_or(experiment.cell_size_m);
+  experiment.cell_size_m = yaml.number("cell_size_m", otherwise_m, Range::positive());
+  // Cells are counted from the lower left corner of the map, which is the origin of its frame.
+  if (map.origin_x_m != 0.0 || map.origin_y_m != 0.0 || map.origin_yaw_rad != 0.0) {
+    throw fileError(experiment.map_path, 0, "origin: must be [0, 0, 0] in an experiment");
+  }
+  if (map.cell_size_m && experiment.cell_size_m != *map.cell_size_m) {
+    throw yaml.error("cell_size_m", "is not the map's resolution of " +
+                                        std::to_string(*map.cell_size_m) + " m, leave it out");
+  }
+}
+
+/// Draws what is random and refuses starts and goals that no planner could serve.
+void placeRobots(bool has_random_starts, bool has_random_goals, Experiment& experiment) {
+  Rng rng(experiment.seed);
+  Instance instance = toInstance(experiment);
+  if (has_random_starts && has_random_goals) {
+    instance.starts = drawCells(instance.grid, instance.agentCount(), rng);
+  } else if (has_random_starts) {
+    instance.starts = drawReachableCells(instance.grid, instance.goals, rng);
+  }
+  if (has_random_goals) {
+    instance.goals = drawReachableCells(instance.grid, instance.starts, rng);
+  }
+  requireValid(instance);
+  for (std::size_t agent = 0; agent < experiment.robots.size(); ++agent) {
+    experiment.robots[agent].start = instance.starts[agent];
+    experiment.robots[agent].goal = instance.goals[agent];
+  }
+}
+
+}  // namespace
+
+Experiment loadExperiment(const std::string& path, const ExperimentOverrides& overrides) {
+  const YamlMap yaml = YamlMap::load(path);
+  yaml.requireOnly({"map", "cell_size_m", "footprint_m", "starts", "goals", "seed", "robots",
+                    "planning", "execution"});
+  Experiment experiment;
+  experiment.path = path;
+  experiment.name = std::filesystem::path(path).stem().string();
+  readMap(yaml, experiment);
+
+  const std::vector<std::string> sources = {"random", "explicit"};
+  const bool has_random_starts = yaml.word("starts", sources, "explicit") == "random";
+  const bool has_random_goals = yaml.word("goals", sources, "explicit") == "random";
+  const auto seed = static_cast<std::uint32_t>(
+      yaml.integer("seed", 0, 0, std::numeric_limits<std::uint32_t>::max()));
+  experiment.seed = overrides.seed.value_or(seed);
+  experiment.robots = readRobots(yaml, has_random_starts, has_random_goals);
+  if (const auto planning = yaml.map("planning")) {
+    experiment.planning = readPlanning(*planning);
+  }
+  if (overrides.planner) {
+    requireKnownPlanner(*overrides.planner);
+    experiment.planning.planner = *overrides.planner;
+  }
+  if (const auto execution = yaml.map("execution")) {
+    experiment.execution = readExecution(*execution);
+  }
+  try {
+    placeRobots(has_random_starts, has_random_goals, experiment);
+  } catch (const std::invalid_argument& error) {
+    throw yaml.error("robots", error.what());
+  }
+  return experiment;
 }
 
 Instance toInstance(const Experiment& experiment) {

@@ -59,7 +59,23 @@ struct ExperimentOverrides {
 };
 
 /// Reads an experiment file (YAML) and its map.
-/// @throws std::runtime_error with one line: file, field, what is wrong and what is allowed.
+///
+///     map: lab_maze.map            # required; taken from the experiment file's folder
+///     cell_size_m: 0.3             # a map_server map brings its own, which must then agree
+///     footprint_m: [0.23, 0.20]    # [length, width] of robots that do not name their own
+///     starts: random               # random | explicit (the default): from each robot's `start`
+///     goals: random                # random | explicit (the default): from each robot's `goal`
+///     seed: 1                      # of what is random, 0 ... 4294967295
+///     robots:                      # required, one or more
+///       - {name: robot_0, rigid_body: robot_0, footprint_m: [0.23, 0.20],
+///          start: [0, 1], goal: [4, 2]}
+///     planning: {planner: lacam, time_limit_s: 5.0}
+///     execution: {speed_limit_mps: 0.25}  # and the other members of ExecutionSpec
+///
+/// Of a robot only `name` is required, and `start` and `goal` exactly where they are explicit. What
+/// is left out keeps the default of the structs above. Starts and goals satisfy requireValid().
+///
+/// @throws std::runtime_error with one line: file, line, field, what is wrong, what is allowed.
 /// Unknown keys are errors.
 Experiment loadExperiment(const std::string& path, const ExperimentOverrides& overrides = {});
 
