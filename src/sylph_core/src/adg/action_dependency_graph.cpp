@@ -1,0 +1,337 @@
+#include "sylph_core/adg/action_dependency_graph.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "task_builder.hpp"
+
+namespace sylph {
+namespace {
+
+std::string describe(const Task& task, const std::string& name) {
+  return "task " + std::to_string(task.id) + " (" + name + ", number " +
+         std::to_string(task.sequence) + ", " + toString(task.start) + " to " + toString(task.end) +
+         ")";
+}
+
+}  // namespace
+
+ActionDependencyGraph::ActionDependencyGraph(const Plan& plan, std::vector<std::string> names)
+    : names_(std::move(names)) {
+  if (plan.empty()) {
+    throw PlanRefused(0, {}, "the plan has no configuration");
+  }
+  for (std::size_t agent = names_.size(); agent < plan.front().size(); ++agent) {
+    names_.push_back("agent " + std::to_string(agent));
+  }
+  names_.resize(plan.front().size());
+  internal::TaskBuilder builder(names_, 0);
+  for (std::size_t agent = 0; agent < names_.size(); ++agent) {
+    builder.place(static_cast<AgentId>(agent), plan.front()[agent], 0);
+    progress_.push_back({plan.front()[agent], {}, 0, 0});
+  }
+  std::vector<AgentId> agents(names_.size());
+  std::iota(agents.begin(), agents.end(), 0);
+  append(builder.build(agents, plan));
+}
+
+void ActionDependencyGraph::replaceRest(const CommitCut& cut, const std::vector<AgentId>& agents,
+                                        const Plan& plan) {
+  requireReplaceable(cut, agents, plan);
+  std::vector<bool> takes_part(progress_.size(), false);
+  for (const AgentId agent : agents) {
+    takes_part[index(agent)] = true;
+  }
+  std::vector<Task> kept = tasksWithin(cut);
+  internal::TaskBuilder builder(names_, static_cast<TaskId>(kept.size()));
+  const Configuration rest = configurationAt(cut);
+  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+    builder.place(agent, rest[index(agent)], cut[index(agent)]);
+  }
+  for (const Task& task : kept) {
+    builder.addLeaver(task,
+                      !takes_part[index(task.agent)] && task.sequence >= doneCount(task.agent));
+  }
+  std::vector<Task> added = builder.build(agents, plan);
+
+  // No plan is refused from here on: the graph is either the old or the new one.
+  tasks_.clear();
+  for (Progress& progress : progress_) {
+    progress.tasks.clear();
+  }
+  append(kept);
+  append(added);
+}
+
+void ActionDependencyGraph::requireReplaceable(const CommitCut& cut,
+                                               const std::vector<AgentId>& agents,
+                                               const Plan& plan) const {
+  if (!isClosed(cut)) {
+    throw std::invalid_argument("a plan can only replace what lies behind a closed commit cut");
+  }
+  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+    if (cut[index(agent)] < releasedCount(agent)) {
+      throw std::invalid_argument("the commit cut leaves out a task released to " + name(agent));
+    }
+  }
+  if (plan.empty() || plan.front().size() != agents.size()) {
+    throw PlanRefused(0, {}, "the plan does not start with one cell for each agent");
+  }
+  const Configuration rest = configurationAt(cut);
+  for (std::size_t i = 0; i < agents.size(); ++i) {
+    if (plan.front()[i] != rest[index(agents[i])]) {
+      throw PlanRefused(0, {agents[i]},
+                        "the plan starts " + name(agents[i]) + " in " + toString(plan.front()[i]) +
+                            " instead of " + toString(rest[index(agents[i])]) + ", where it rests");
+    }
+  }
+}
+
+std::vector<Task> ActionDependencyGraph::tasksWithin(const CommitCut& cut) const {
+  std::vector<Task> kept;
+  std::vector<TaskId> new_id(tasks_.size());
+  for (const Task& task : tasks_) {
+    if (task.sequence >= cut[index(task.agent)]) {
+      continue;
+    }
+    Task copy = task;
+    copy.id = static_cast<TaskId>(kept.size());
+    new_id[index(task.id)] = copy.id;
+    if (task.leaver) {
+      copy.leaver = new_id[index(*task.leaver)];
+    }
+    kept.push_back(copy);
+  }
+  return kept;
+}
+
+void ActionDependencyGraph::append(const std::vector<Task>& tasks) {
+  tasks_.reserve(tasks_.size() + tasks.size());
+  for (const Task& task : tasks) {
+    progress_[index(task.agent)].tasks.push_back(task.id);
+    tasks_.push_back(task);
+  }
+}
+
+std::vector<TaskId> ActionDependencyGraph::dependencies(TaskId id) const {
+  std::vector<TaskId> found;
+  const Task& dependent = task(id);
+  if (dependent.sequence > 0) {
+    found.push_back(tasksOf(dependent.agent)[index(dependent.sequence - 1)]);
+  }
+  if (dependent.leaver) {
+    found.push_back(*dependent.leaver);
+  }
+  return found;
+}
+
+TaskStatus ActionDependencyGraph::status(TaskId id) const {
+  const Task& asked = task(id);
+  const Progress& progress = progress_[index(asked.agent)];
+  if (asked.sequence < progress.done) {
+    return TaskStatus::Done;
+  }
+  return asked.sequence < progress.released ? TaskStatus::Enqueued : TaskStatus::Staged;
+}
+
+bool ActionDependencyGraph::isDone(TaskId id) const {
+  return status(id) == TaskStatus::Done;
+}
+
+bool ActionDependencyGraph::mayRelease(const Task& task) const {
+  return progress_[index(task.agent)].released == task.sequence &&
+         (!task.leaver || isDone(*task.leaver));
+}
+
+std::vector<TaskId> ActionDependencyGraph::release(int lookahead) {
+  std::vector<TaskId> released;
+  for (Progress& progress : progress_) {
+    while (progress.released < static_cast<int>(progress.tasks.size()) &&
+           progress.released - progress.done < lookahead) {
+      const TaskId next = progress.tasks[index(progress.released)];
+      if (!mayRelease(task(next))) {
+        break;
+      }
+      ++progress.released;
+      released.push_back(next);
+    }
+  }
+  return released;
+}
+
+void ActionDependencyGraph::enqueue(TaskId id) {
+  if (status(id) != TaskStatus::Staged) {
+    return;
+  }
+  const Task& next = task(id);
+  if (!mayRelease(next)) {
+    throw std::invalid_argument(describe(next, name(next.agent)) +
+                                " cannot be released before its dependencies");
+  }
+  ++progress_[index(next.agent)].released;
+}
+
+std::vector<TaskId> ActionDependencyGraph::releasedTasks() const {
+  std::vector<TaskId> released;
+  for (const Progress& progress : progress_) {
+    released.insert(released.end(), progress.tasks.begin() + progress.done,
+                    progress.tasks.begin() + progress.released);
+  }
+  return released;
+}
+
+bool ActionDependencyGraph::complete(TaskId id) {
+  if (isDone(id)) {
+    return false;
+  }
+  const Task& completed = task(id);
+  Progress& progress = progress_[index(completed.agent)];
+  if (status(id) != TaskStatus::Enqueued || completed.sequence != progress.done) {
+    throw std::invalid_argument(describe(completed, name(completed.agent)) +
+                                " cannot be done: it is not released, or not the next");
+  }
+  ++progress.done;
+  return true;
+}
+
+bool ActionDependencyGraph::isFinished() const {
+  return std::all_of(progress_.begin(), progress_.end(), [](const Progress& progress) {
+    return progress.done == static_cast<int>(progress.tasks.size());
+  });
+}
+
+std::optional<TaskId> ActionDependencyGraph::currentTask(AgentId agent) const {
+  const Progress& progress = progress_[index(agent)];
+  if (progress.done == static_cast<int>(progress.tasks.size())) {
+    return std::nullopt;
+  }
+  return progress.tasks[index(progress.done)];
+}
+
+const Cell& ActionDependencyGraph::cell(AgentId agent) const {
+  const Progress& progress = progress_[index(agent)];
+  return progress.done == 0 ? progress.start : task(progress.tasks[index(progress.done - 1)]).end;
+}
+
+Configuration ActionDependencyGraph::configuration() const {
+  Configuration cells;
+  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+    cells.push_back(cell(agent));
+  }
+  return cells;
+}
+
+std::vector<Cell> ActionDependencyGraph::heldCells(AgentId agent) const {
+  const Progress& progress = progress_[index(agent)];
+  std::vector<Cell> held = {cell(agent)};
+  for (int k = progress.done; k < progress.released; ++k) {
+    const Cell& end = task(progress.tasks[index(k)]).end;
+    if (std::find(held.begin(), held.end(), end) == held.end()) {
+      held.push_back(end);
+    }
+  }
+  return held;
+}
+
+std::optional<Wait> ActionDependencyGraph::waitOf(AgentId agent) const {
+  const std::optional<TaskId> current = currentTask(agent);
+  if (!current || status(*current) != TaskStatus::Staged) {
+    return std::nullopt;
+  }
+  const std::optional<TaskId>& leaver = task(*current).leaver;
+  if (!leaver || isDone(*leaver)) {
+    return std::nullopt;
+  }
+  return Wait{*current, *leaver};
+}
+
+std::vector<AgentId> ActionDependencyGraph::waitChain(AgentId agent) const {
+  std::vector<AgentId> chain = {agent};
+  // Each blocker precedes the task that waits for it, so the chain ends.
+  for (std::optional<Wait> wait = waitOf(agent); wait; wait = waitOf(chain.back())) {
+    chain.push_back(task(wait->blocker).agent);
+  }
+  return chain;
+}
+
+std::vector<AgentId> ActionDependencyGraph::blockedBy(const std::vector<AgentId>& agents) const {
+  std::vector<bool> is_cause(progress_.size(), false);
+  for (const AgentId agent : agents) {
+    is_cause[index(agent)] = true;
+  }
+  std::vector<bool> is_blocked(tasks_.size(), false);
+  std::vector<bool> agent_is_blocked(progress_.size(), false);
+  for (const Task& task : tasks_) {
+    if (isDone(task.id)) {
+      continue;
+    }
+    const std::vector<TaskId> before = dependencies(task.id);
+    is_blocked[index(task.id)] =
+        is_cause[index(task.agent)] ||
+        std::any_of(before.begin(), before.end(), [&](TaskId id) { return is_blocked[index(id)]; });
+    if (is_blocked[index(task.id)] && !is_cause[index(task.agent)]) {
+      agent_is_blocked[index(task.agent)] = true;
+    }
+  }
+  std::vector<AgentId> blocked;
+  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+    if (agent_is_blocked[index(agent)]) {
+      blocked.push_back(agent);
+    }
+  }
+  return blocked;
+}
+
+CommitCut ActionDependencyGraph::commitCut(int ahead) const {
+  CommitCut cut;
+  std::vector<TaskId> unchecked;
+  for (const Progress& progress : progress_) {
+    cut.push_back(std::min(progress.released + ahead, static_cast<int>(progress.tasks.size())));
+    unchecked.insert(unchecked.end(), progress.tasks.begin() + progress.done,
+                     progress.tasks.begin() + cut.back());
+  }
+  while (!unchecked.empty()) {
+    const std::optional<TaskId> leaver = task(unchecked.back()).leaver;
+    unchecked.pop_back();
+    if (!leaver) {
+      continue;
+    }
+    const Task& needed = task(*leaver);
+    int& committed = cut[index(needed.agent)];
+    const std::vector<TaskId>& tasks = tasksOf(needed.agent);
+    for (; committed <= needed.sequence; ++committed) {
+      unchecked.push_back(tasks[index(committed)]);
+    }
+  }
+  return cut;
+}
+
+bool ActionDependencyGraph::isClosed(const CommitCut& cut) const {
+  if (cut.size() != progress_.size()) {
+    return false;
+  }
+  for (std::size_t agent = 0; agent < cut.size(); ++agent) {
+    if (cut[agent] < 0 || cut[agent] > static_cast<int>(progress_[agent].tasks.size())) {
+      return false;
+    }
+  }
+  return std::all_of(tasks_.begin(), tasks_.end(), [&](const Task& task) {
+    if (task.sequence >= cut[index(task.agent)] || !task.leaver) {
+      return true;
+    }
+    const Task& leaver = tasks_[index(*task.leaver)];
+    return leaver.sequence < cut[index(leaver.agent)];
+  });
+}
+
+Configuration ActionDependencyGraph::configurationAt(const CommitCut& cut) const {
+  Configuration cells;
+  for (std::size_t agent = 0; agent < progress_.size(); ++agent) {
+    const int committed = cut.at(agent);
+    cells.push_back(committed == 0 ? progress_[agent].start
+                                   : task(progress_[agent].tasks.at(index(committed - 1))).end);
+  }
+  return cells;
+}
+
+}  // namespace sylph
