@@ -1,0 +1,236 @@
+"""Reads a run folder into plain lists, ready for figures. Times are seconds since the first task."""
+import json
+import math
+import os
+from dataclasses import dataclass, field
+
+import rosbag
+import yaml
+
+# Defaults of an experiment's `execution` section.
+SPEED_LIMIT_MPS = 0.25
+TRACKING_ERROR_M = 0.012
+CELL_SIZE_M = 0.3
+
+ADG_STATE = "/sylph/adg_state"
+JOINT_ACTIONS = "/sylph/joint_actions"
+SEPARATION = "/sylph/separation"
+TRUTH = "/sylph/simulation_truth"
+TASK_REPORT_TYPE = "sylph_msgs/TaskReport"
+
+EXECUTING = 2
+CONDITIONS = {1: "silent", 2: "stuck", 3: "blind", 4: "lost"}
+MODES = {1: "paused", 2: "stopped"}
+
+
+@dataclass
+class RobotRun:
+    """One robot's run. The lists of one kind of sample have the same length."""
+
+    time_s: list = field(default_factory=list)
+    cells_done: list = field(default_factory=list)  # moves measured as DONE since the run began
+    waiting: list = field(default_factory=list)
+    cause: list = field(default_factory=list)  # (root cause robot, reason) or None
+    partner: list = field(default_factory=list)  # name or ""
+    svo_deg: list = field(default_factory=list)  # NaN: none
+    planned_time_s: list = field(default_factory=list)
+    planned_cells: list = field(default_factory=list)
+    error_time_s: list = field(default_factory=list)
+    tracking_error_m: list = field(default_factory=list)
+
+
+@dataclass
+class Run:
+    """A run folder's content. What was missing is said in `missing`, one line each."""
+
+    name: str
+    robots: dict = field(default_factory=dict)  # name -> RobotRun, in the mission's order
+    separation: list = field(default_factory=list)  # (time_s, gap_m)
+    separation_limit_m: float = 0.0
+    truth: dict = field(default_factory=dict)  # ground truth of a simulation
+    result: dict = field(default_factory=dict)
+    events: list = field(default_factory=list)
+    cell_size_m: float = CELL_SIZE_M
+    speed_limit_mps: float = SPEED_LIMIT_MPS
+    tracking_limit_m: float = TRACKING_ERROR_M
+    missing: list = field(default_factory=list)
+
+
+def load(folder):
+    """Everything that the folder has."""
+    run = Run(os.path.basename(os.path.abspath(folder)))
+    _load_experiment(run, os.path.join(folder, "experiment.yaml"))
+    run.result = _load_yaml(run, os.path.join(folder, "result.yaml"))
+    _load_events(run, os.path.join(folder, "events.jsonl"))
+    _load_bag(run, os.path.join(folder, "run.bag"))
+    return run
+
+
+def waiting_by_cause(robot):
+    """Seconds that a robot waited, by (root cause robot, reason)."""
+    seconds = {}
+    for i in range(1, len(robot.time_s)):
+        if robot.waiting[i - 1]:
+            cause = robot.cause[i - 1] or ("", "unknown")
+            seconds[cause] = seconds.get(cause, 0.0) + robot.time_s[i] - robot.time_s[i - 1]
+    return seconds
+
+
+def _load_yaml(run, path):
+    try:
+        with open(path, encoding="utf-8") as file:
+            content = yaml.safe_load(file)
+    except OSError as error:
+        run.missing.append(f"{path}: {error.strerror}")
+        return {}
+    except yaml.YAMLError as error:
+        run.missing.append(f"{path}: not YAML: {' '.join(str(error).split())}")
+        return {}
+    if not isinstance(content, dict):
+        run.missing.append(f"{path}: must be a map of names to values")
+        return {}
+    return content
+
+
+def _load_experiment(run, path):
+    content = _load_yaml(run, path)
+    execution = content.get("execution") or {}
+    run.cell_size_m = float(content.get("cell_size_m", run.cell_size_m))
+    run.speed_limit_mps = float(execution.get("speed_limit_mps", run.speed_limit_mps))
+    run.tracking_limit_m = float(execution.get("tracking_error_m", run.tracking_limit_m))
+
+
+def _load_events(run, path):
+    try:
+        with open(path, encoding="utf-8") as file:
+            lines = file.read().splitlines()
+    except OSError as error:
+        run.missing.append(f"{path}: {error.strerror}")
+        return
+    for number, line in enumerate(lines, 1):
+        try:
+            run.events.append(json.loads(line))
+        except json.JSONDecodeError as error:
+            run.missing.append(f"{path}:{number}: not JSON: {error}")
+            return
+
+
+def _load_bag(run, path):
+    if not os.path.isfile(path):
+        hint = " (run.bag.active is there: the recorder did not end; rosbag reindex mends it)"
+        was_cut = os.path.isfile(path + ".active")
+        run.missing.append(f"{path}: missing, so there are no figures{hint if was_cut else ''}")
+        return
+    try:
+        with rosbag.Bag(path) as bag:
+            _read_bag(run, bag)
+    except (rosbag.ROSBagException, OSError) as error:
+        run.missing.append(f"{path}: not a readable bag: {error}")
+
+
+def _read_bag(run, bag):
+    topics = bag.get_type_and_topic_info().topics
+    reports = [name for name, info in topics.items() if info.msg_type == TASK_REPORT_TYPE]
+    wanted = [ADG_STATE, JOINT_ACTIONS, SEPARATION, TRUTH] + reports
+    for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION):
+        if topic not in topics:
+            run.missing.append(f"run.bag: has no {topic}")
+    reader = _BagReader(run)
+    for topic, message, stamp in bag.read_messages(topics=wanted):
+        reader.take(topic, message, stamp.to_sec())
+    reader.finish()
+
+
+class _BagReader:
+    """Sorts a bag's messages into a Run."""
+
+    def __init__(self, run):
+        self._run = run
+        self._start_s = None  # ROS time of the first task
+        self._joint_actions = {}  # plan_id -> {step: message}
+        self._plan_start = {}  # plan_id -> (time_s, {robot: cells done before})
+        self._plan_id = 0
+
+    def take(self, topic, message, received_s):
+        if topic == ADG_STATE:
+            self._take_state(message, received_s)
+        elif topic == JOINT_ACTIONS:
+            self._joint_actions.setdefault(message.plan_id, {})[message.step] = message
+        elif topic == SEPARATION:
+            self._take_separation(message, received_s)
+        elif topic == TRUTH:
+            self._run.truth = {
+                "true smallest gap [m]": message.min_separation_m,
+                "true collisions": message.collisions,
+            }
+        elif self._start_s is not None:
+            robot = self._run.robots.setdefault(message.robot_id, RobotRun())
+            robot.error_time_s.append(received_s - self._start_s)
+            robot.tracking_error_m.append(message.tracking_error_m)
+
+    def finish(self):
+        """Adds the plans, whose steps are spread over their shortest possible time."""
+        step_s = self._run.cell_size_m / self._run.speed_limit_mps
+        for plan_id, (start_s, done) in self._plan_start.items():
+            steps = self._joint_actions.get(plan_id, {})
+            cells = dict(done)
+            for step in sorted(steps):
+                for agent in steps[step].agents:
+                    robot = self._run.robots.setdefault(agent.robot, RobotRun())
+                    robot.planned_time_s.append(start_s + step * step_s)
+                    robot.planned_cells.append(cells.get(agent.robot, 0))
+                    cells[agent.robot] = cells.get(agent.robot, 0) + (agent.action != 0)
+            if steps:
+                end_s = start_s + (max(steps) + 1) * step_s
+                for agent in steps[max(steps)].agents:
+                    self._run.robots[agent.robot].planned_time_s.append(end_s)
+                    self._run.robots[agent.robot].planned_cells.append(cells[agent.robot])
+
+    def _take_separation(self, message, received_s):
+        self._run.separation_limit_m = message.limit_m
+        if self._start_s is not None and math.isfinite(message.separation_m):
+            self._run.separation.append((received_s - self._start_s, message.separation_m))
+
+    def _take_state(self, message, received_s):
+        if self._start_s is None:
+            if message.phase < EXECUTING or not message.plan_id:
+                return
+            self._start_s = received_s
+        time_s = received_s - self._start_s
+        if message.plan_id != self._plan_id and message.phase == EXECUTING:
+            done = {
+                name: robot.cells_done[-1]
+                for name, robot in self._run.robots.items()
+                if robot.cells_done
+            }
+            self._plan_start[message.plan_id] = (time_s, done)
+            self._plan_id = message.plan_id
+        for state in message.robots:
+            self._take_robot(state, message.mode, time_s)
+
+    def _take_robot(self, state, mode, time_s):
+        robot = self._run.robots.setdefault(state.robot_id, RobotRun())
+        before = self._plan_start.get(self._plan_id, (0.0, {}))[1].get(state.robot_id, 0)
+        held = mode in MODES and state.tasks_done < state.tasks_total
+        robot.time_s.append(time_s)
+        robot.cells_done.append(before + state.tasks_done)
+        robot.waiting.append(bool(state.waiting) or held)
+        robot.cause.append(_cause_of(state, mode if held else 0))
+        robot.partner.append(state.partner)
+        robot.svo_deg.append(state.svo_deg)
+
+
+def _cause_of(state, mode):
+    if mode in MODES:
+        return ("", MODES[mode])
+    if not state.waiting:
+        return None
+    reason = _without_numbers(state.root_cause) or CONDITIONS.get(state.condition, "moves")
+    return (state.root_cause_robot or state.waits_for_robot, reason)
+
+
+def _without_numbers(text):
+    """"silent for 3.1 s" and "silent for 3.2 s" are the same cause."""
+    words = ["..." if any(c.isdigit() for c in word) and "_" not in word else word
+             for word in text.split()]
+    return " ".join(words)
