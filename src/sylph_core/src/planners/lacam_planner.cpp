@@ -4,6 +4,7 @@
 
 #include "sylph_core/planners/social_states.hpp"
 #include "sylph_core/search/lacam.hpp"
+#include "sylph_core/search/large_neighborhood_search.hpp"
 
 namespace sylph {
 namespace {
@@ -32,7 +33,14 @@ PlanningResult LacamPlanner::plan(const Instance& instance, const PlanningLimits
   const Lacam::Status status = lacam.search(deadline);
   PlanningResult result;
   result.statistics.first_solution_s = deadline.elapsed();
-  result.plan = problem.graph.toPlan(lacam.plan());
+  std::vector<Vertices> best = lacam.plan();
+  if (lacam.isSolved() && !limits.first_solution_only) {
+    LargeNeighborhoodSearch improvement(problem, best);
+    improvement.run(deadline, rng);
+    best = improvement.plan();
+    result.statistics.improvements = improvement.improvementCount();
+  }
+  result.plan = problem.graph.toPlan(best);
   result.outcome = outcomeOf(lacam, status, result, limits);
   result.social = unknownSocialStates(result.plan);
   result.statistics.search_nodes = lacam.nodeCount();

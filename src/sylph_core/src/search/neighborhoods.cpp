@@ -1,0 +1,191 @@
+#include "sylph_core/search/neighborhoods.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+namespace sylph {
+namespace {
+
+int drawBelow(int bound, Rng& rng) {
+  return static_cast<int>(rng() % static_cast<unsigned>(bound));
+}
+
+}  // namespace
+
+Neighborhoods::Neighborhoods(const Graph& graph, const Vertices& goals,
+                             const DistanceTables& distances, const ReservationTable& table)
+    : graph_(&graph),
+      goals_(goals),
+      distances_(&distances),
+      table_(&table),
+      is_picked_(goals.size(), false),
+      is_seen_(static_cast<std::size_t>(graph.size()), false) {}
+
+std::vector<AgentId> Neighborhoods::pick(NeighborhoodKind kind, int size, Rng& rng) {
+  beginPick();
+  switch (kind) {
+    case NeighborhoodKind::Delayed:
+      return pickDelayed(size, rng);
+    case NeighborhoodKind::Crossing:
+      return pickCrossing(size, rng);
+    case NeighborhoodKind::Jam:
+      return pickJam(size, rng);
+    case NeighborhoodKind::Random:
+      break;
+  }
+  return pickRandom(size, rng);
+}
+
+void Neighborhoods::beginPick() {
+  for (const AgentId agent : picked_) {
+    is_picked_[agent] = false;
+  }
+  picked_.clear();
+}
+
+void Neighborhoods::add(AgentId agent) {
+  if (agent != kNoAgent && !is_picked_[agent]) {
+    is_picked_[agent] = true;
+    picked_.push_back(agent);
+  }
+}
+
+int Neighborhoods::delayOf(AgentId agent) const {
+  const VertexPath& path = table_->path(agent);
+  return static_cast<int>(path.size()) - 1 - distances_->get(agent, path.front());
+}
+
+std::vector<AgentId> Neighborhoods::pickRandom(int size, Rng& rng) const {
+  std::vector<AgentId> agents(goals_.size());
+  std::iota(agents.begin(), agents.end(), 0);
+  for (int index = 0; index < size; ++index) {
+    std::swap(agents[index], agents[index + drawBelow(agentCount() - index, rng)]);
+  }
+  agents.resize(static_cast<std::size_t>(size));
+  return agents;
+}
+
+// An agent with probability in proportion to its delay.
+AgentId Neighborhoods::drawDelayedAgent(Rng& rng) const {
+  long total = 0;
+  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+    total += delayOf(agent);
+  }
+  if (total == 0) {
+    return drawBelow(agentCount(), rng);
+  }
+  long ticket = static_cast<long>(rng()) % total;
+  AgentId agent = 0;
+  while (ticket >= delayOf(agent)) {
+    ticket -= delayOf(agent);
+    ++agent;
+  }
+  return agent;
+}
+
+std::vector<AgentId> Neighborhoods::pickDelayed(int size, Rng& rng) {
+  constexpr int kWalks = 10;
+  AgentId agent = drawDelayedAgent(rng);
+  add(agent);
+  for (int walks = 0; walks < kWalks && !isFull(size); ++walks) {
+    walk(agent, size, rng);
+    agent = picked_[drawBelow(static_cast<int>(picked_.size()), rng)];
+  }
+  return picked_;
+}
+
+// Leaves the agent's path at random for moves that would let it arrive earlier, and picks whoever
+// is in the way of them.
+void Neighborhoods::walk(AgentId agent, int size, Rng& rng) {
+  const VertexPath& path = table_->path(agent);
+  const auto cost = static_cast<Timestep>(path.size()) - 1;
+  if (cost == 0) {
+    return;
+  }
+  Timestep timestep = drawBelow(cost, rng);
+  VertexId vertex = path[timestep];
+  while (timestep < cost && !isFull(size)) {
+    std::array<VertexId, 5> shorter{};
+    int count = 0;
+    const auto consider = [&](VertexId target) {
+      if (timestep + 1 + distances_->get(agent, target) < cost) {
+        shorter[count++] = target;
+      }
+    };
+    consider(vertex);
+    for (const VertexId target : graph_->neighbors(vertex)) {
+      consider(target);
+    }
+    if (count == 0) {
+      return;
+    }
+    const VertexId target = shorter[drawBelow(count, rng)];
+    add(table_->occupant(target, timestep + 1));
+    const AgentId opposite = table_->occupant(target, timestep);
+    if (opposite != kNoAgent && table_->position(opposite, timestep + 1) == vertex) {
+      add(opposite);
+    }
+    vertex = target;
+    ++timestep;
+  }
+}
+
+std::vector<AgentId> Neighborhoods::pickCrossing(int size, Rng& rng) {
+  const AgentId around = drawBelow(agentCount(), rng);
+  const VertexPath& path = table_->path(around);
+  frontier_ = {path[drawBelow(static_cast<int>(path.size()), rng)]};
+  is_seen_[frontier_.front()] = true;
+  const Timestep horizon = table_->horizon();
+  for (std::size_t next = 0; next < frontier_.size() && !isFull(size); ++next) {
+    const VertexId vertex = frontier_[next];
+    const Timestep begin = drawBelow(horizon + 1, rng);
+    for (Timestep offset = 0; offset <= horizon && !isFull(size); ++offset) {
+      add(table_->occupant(vertex, (begin + offset) % (horizon + 1)));
+    }
+    for (const VertexId neighbor : graph_->neighbors(vertex)) {
+      if (!is_seen_[neighbor]) {
+        is_seen_[neighbor] = true;
+        frontier_.push_back(neighbor);
+      }
+    }
+  }
+  for (const VertexId vertex : frontier_) {
+    is_seen_[vertex] = false;
+  }
+  return picked_;
+}
+
+std::vector<AgentId> Neighborhoods::pickJam(int size, Rng& rng) {
+  const AgentId delayed = drawDelayedAgent(rng);
+  const VertexPath& path = table_->path(delayed);
+  add(delayed);
+  Timestep center = drawBelow(static_cast<int>(path.size()), rng);
+  // On to the next step that brings the agent no nearer to its goal.
+  while (center + 1 < static_cast<Timestep>(path.size()) &&
+         distances_->get(delayed, path[center + 1]) < distances_->get(delayed, path[center])) {
+    ++center;
+  }
+  frontier_ = {path[center]};
+  is_seen_[frontier_.front()] = true;
+  constexpr Timestep kReach = 3;
+  const Timestep first = std::max(0, center - kReach);
+  const Timestep last = std::min(table_->horizon(), center + kReach);
+  for (std::size_t next = 0; next < frontier_.size() && !isFull(size); ++next) {
+    const VertexId vertex = frontier_[next];
+    for (Timestep timestep = first; timestep <= last && !isFull(size); ++timestep) {
+      add(table_->occupant(vertex, timestep));
+    }
+    for (const VertexId neighbor : graph_->neighbors(vertex)) {
+      if (!is_seen_[neighbor]) {
+        is_seen_[neighbor] = true;
+        frontier_.push_back(neighbor);
+      }
+    }
+  }
+  for (const VertexId vertex : frontier_) {
+    is_seen_[vertex] = false;
+  }
+  return picked_;
+}
+
+}  // namespace sylph
