@@ -1,0 +1,106 @@
+#include "sylph_sim/cameras.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "sylph_sim/bounds.hpp"
+
+namespace sylph_sim {
+namespace {
+
+sylph::Pose2d between(const sylph::Pose2d& before, const sylph::Pose2d& after, double share) {
+  return {before.x_m + share * (after.x_m - before.x_m),
+          before.y_m + share * (after.y_m - before.y_m),
+          sylph::normalizeAngle(before.yaw_rad +
+                                share * sylph::shortestAngle(before.yaw_rad, after.yaw_rad))};
+}
+
+/// The pose in the map of what lies at `local` in the frame of `parent`.
+sylph::Pose2d compose(const sylph::Pose2d& parent, const sylph::Pose2d& local) {
+  const sylph::Twist2d offset = sylph::mapFromRobot({local.x_m, local.y_m, 0.0}, parent.yaw_rad);
+  return {parent.x_m + offset.x_mps, parent.y_m + offset.y_mps,
+          sylph::normalizeAngle(parent.yaw_rad + local.yaw_rad)};
+}
+
+}  // namespace
+
+void requireValid(const CameraOptions& options) {
+  requirePositive("rate_hz", options.rate_hz);
+  requireNotNegative("latency_s", options.latency_s);
+  requireNotNegative("position_noise_m", options.position_noise_m);
+  requireNotNegative("yaw_noise_rad", options.yaw_noise_rad);
+  requireNotNegative("body_offset_m", options.body_offset_m);
+  requireNotNegative("body_yaw_offset_rad", options.body_yaw_offset_rad);
+  requireInRange("occlusion_probability", options.occlusion_probability, 0.0, 1.0);
+  requireInRange("frame_loss_probability", options.frame_loss_probability, 0.0, 1.0);
+}
+
+Cameras::Cameras(const CameraOptions& options, const std::vector<sylph::Pose2d>& poses,
+                 double start_s, sylph::Rng rng)
+    : options_(options), rng_(rng), last_s_(start_s), start_s_(start_s) {
+  requireValid(options);
+  // Clipped at 2.5 deviations: a marker set that is mounted worse than that would be seen.
+  const auto draw = [this](double deviation) {
+    return deviation * std::clamp(normal_(rng_), -2.5, 2.5);
+  };
+  for (const sylph::Pose2d& pose : poses) {
+    const double x_m = draw(options_.body_offset_m);
+    const double y_m = draw(options_.body_offset_m);
+    offsets_.push_back({x_m, y_m, draw(options_.body_yaw_offset_rad)});
+    last_seen_.push_back(compose(pose, offsets_.back()));
+  }
+}
+
+void Cameras::capture(double time_s, const std::vector<sylph::Pose2d>& before,
+                      const std::vector<sylph::Pose2d>& after, const FaultState& faults) {
+  for (double exposure_s = start_s_ + next_number_ / options_.rate_hz; exposure_s <= time_s;
+       exposure_s = start_s_ + next_number_ / options_.rate_hz) {
+    CapturedFrame frame{next_number_++, exposure_s, exposure_s, {}};
+    const double share = (exposure_s - last_s_) / (time_s - last_s_);
+    std::vector<sylph::Pose2d> poses;
+    poses.reserve(before.size());
+    for (std::size_t robot = 0; robot < before.size(); ++robot) {
+      poses.push_back(between(before[robot], after[robot], share));
+    }
+    for (std::size_t robot = 0; robot < poses.size(); ++robot) {
+      frame.bodies.push_back(see(robot, poses, faults.robots[robot].capture));
+    }
+    const bool is_lost = uniform_(rng_) < options_.frame_loss_probability;
+    if (!is_lost && !faults.is_silent) {
+      waiting_.push_back(std::move(frame));
+    }
+  }
+  last_s_ = time_s;
+}
+
+std::vector<CapturedFrame> Cameras::takeDue(double time_s) {
+  std::vector<CapturedFrame> due;
+  while (!waiting_.empty() && waiting_.front().captured_s + options_.latency_s <= time_s) {
+    due.push_back(std::move(waiting_.front()));
+    due.back().sent_s = time_s;
+    waiting_.pop_front();
+  }
+  return due;
+}
+
+CapturedBody Cameras::see(std::size_t robot, const std::vector<sylph::Pose2d>& poses,
+                          const CaptureFault& fault) {
+  CapturedBody body{compose(poses[fault.shown_robot], offsets_[fault.shown_robot]), true};
+  body.pose.x_m += options_.position_noise_m * normal_(rng_);
+  body.pose.y_m += options_.position_noise_m * normal_(rng_);
+  body.pose.yaw_rad += options_.yaw_noise_rad * normal_(rng_);
+  if (fault.is_frozen) {
+    body.pose = last_seen_[robot];
+  }
+  last_seen_[robot] = body.pose;
+  body.pose.x_m += fault.x_offset_m;
+  body.pose.yaw_rad = sylph::normalizeAngle(body.pose.yaw_rad + fault.yaw_offset_rad);
+  if (fault.is_nan) {
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    body.pose = {nan, nan, nan};
+  }
+  body.is_tracked = !fault.is_lost && !(uniform_(rng_) < options_.occlusion_probability);
+  return body;
+}
+
+}  // namespace sylph_sim
