@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <cstdlib>
 #include <iostream>
+#include <optional>
 #include <string>
 
 #include "run_command.hpp"
@@ -36,13 +37,16 @@ int generate(const std::string& family, Options options) {
   const sylph::Grid grid = family == "random" ? sylph::randomMap(sized(options.random), rng)
                            : family == "room" ? sylph::roomMap(sized(options.room), rng)
                                               : sylph::mazeMap(sized(options.maze), rng);
+  std::optional<sylph::Instance> instance;
+  if (!options.scenario_path.empty()) {
+    instance = sylph::randomInstance(grid, options.agents, {}, rng);
+  }
   sylph::saveMap(grid, options.map_path);
   const int blocked = grid.size() - grid.freeCellCount();
   std::cout << options.map_path << ": " << grid.rows() << " x " << grid.cols() << " cells, "
             << 100.0 * blocked / grid.size() << " % blocked\n";
-  if (!options.scenario_path.empty()) {
-    sylph::saveScenario(sylph::randomInstance(grid, options.agents, {}, rng), options.map_path,
-                        options.scenario_path);
+  if (instance) {
+    sylph::saveScenario(*instance, options.map_path, options.scenario_path);
     std::cout << options.scenario_path << ": " << options.agents << " agents\n";
   }
   return EXIT_SUCCESS;

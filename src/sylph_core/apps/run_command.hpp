@@ -1,13 +1,23 @@
 #pragma once
 
 #include <CLI/CLI.hpp>
+#include <cmath>
 #include <exception>
 #include <functional>
 #include <iostream>
+#include <string>
 
 namespace sylph {
 
 constexpr int kBadInput = 2;  ///< exit status of a command that cannot use what it was given
+
+/// For CLI::Option::check(): a time that can be waited for.
+/// @return what is wrong, empty if nothing
+inline std::string isPositiveSeconds(const std::string& text) {
+  double seconds = 0.0;
+  const bool is_positive = CLI::detail::lexical_cast(text, seconds) && seconds > 0.0;
+  return is_positive && std::isfinite(seconds) ? "" : text + ": must be a number of seconds > 0";
+}
 
 /// Parses the command line and runs the command.
 /// @return its exit status; kBadInput, after one line on standard error, if anything throws

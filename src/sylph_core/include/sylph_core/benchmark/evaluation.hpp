@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+
+#include "sylph_core/mapf/check_plan.hpp"
+#include "sylph_core/mapf/metrics.hpp"
+#include "sylph_core/planners/planner.hpp"
+
+namespace sylph {
+
+/// What a planner's answer is worth.
+struct Evaluation {
+  bool is_solved = false;  ///< the planner says so, and checkPlan() agrees
+  PlanMetrics metrics;     ///< of the plan as far as it came
+  long sum_of_costs_lower_bound = 0;
+  std::optional<PlanViolation> violation;  ///< in a plan that the planner takes for a solution
+};
+
+Evaluation evaluate(const Instance& instance, const PlanningResult& result);
+
+}  // namespace sylph

@@ -1,0 +1,17 @@
+#include "sylph_core/benchmark/evaluation.hpp"
+
+namespace sylph {
+
+Evaluation evaluate(const Instance& instance, const PlanningResult& result) {
+  Evaluation evaluation;
+  if (result.outcome == Outcome::Solved) {
+    evaluation.violation = checkPlan(instance, result.plan);
+    evaluation.is_solved = !evaluation.violation.has_value();
+  }
+  const Plan nothing_done = {instance.starts};
+  evaluation.metrics = computeMetrics(instance, result.plan.empty() ? nothing_done : result.plan);
+  evaluation.sum_of_costs_lower_bound = sumOfCostsLowerBound(instance);
+  return evaluation;
+}
+
+}  // namespace sylph

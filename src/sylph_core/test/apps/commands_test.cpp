@@ -1,0 +1,212 @@
+// Runs the commands as a user does and looks at their exit status and output.
+
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "test/support/temporary_folder.hpp"
+
+namespace sylph {
+namespace {
+
+struct CommandResult {
+  int status = -1;
+  std::string output;  // standard output and standard error
+};
+
+CommandResult run(const std::string& command) {
+  const std::string line = std::string(COMMANDS_DIR) + "/sylph_" + command + " 2>&1";
+  FILE* pipe = popen(line.c_str(), "r");
+  if (pipe == nullptr) {
+    throw std::runtime_error("cannot run " + line);
+  }
+  CommandResult result;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t read = fread(buffer.data(), 1, buffer.size(), pipe)) {
+    result.output.append(buffer.data(), read);
+  }
+  result.status = WEXITSTATUS(pclose(pipe));
+  return result;
+}
+
+class CommandsTest : public ::testing::Test {
+ protected:
+  /// Expects exit status 2 and one line, "sylph_<command>: ... <error>".
+  void expectRefused(const std::string& error, const std::string& command) const {
+    const CommandResult refused = run(command);
+    EXPECT_EQ(2, refused.status) << command;
+    const std::string name = "sylph_" + command.substr(0, command.find(' '));
+    EXPECT_EQ(0u, refused.output.rfind(name + ": ", 0)) << refused.output;
+    EXPECT_EQ(refused.output.find('\n'), refused.output.size() - 1) << refused.output;
+    EXPECT_NE(std::string::npos, refused.output.find(error)) << refused.output;
+  }
+
+  std::string instance(int agents = 2) const {
+    return " --map " + map_ + " --scen " + scenario_ + " --agents " + std::to_string(agents);
+  }
+
+  TemporaryFolder folder_;
+  std::string map_ = folder_.write("a.map", "type octile\nheight 2\nwidth 3\nmap\n...\n..@\n");
+  std::string scenario_ =
+      folder_.write("a.scen", "version 1\n0 a.map 3 2 0 0 2 0 2\n0 a.map 3 2 2 0 0 0 2\n");
+};
+
+TEST_F(CommandsTest, PlanPrintsOneLineOfJsonAndWritesAPlanThatCheckAccepts) {
+  const std::string plan = folder_.path("plan.txt");
+  const CommandResult planned = run("plan" + instance() + " --first --json --plan " + plan);
+  ASSERT_EQ(0, planned.status) << planned.output;
+  EXPECT_EQ(planned.output.find('\n'), planned.output.size() - 1);
+  const auto line = nlohmann::ordered_json::parse(planned.output);
+  std::vector<std::string> keys;
+  for (const auto& item : line.items()) {
+    keys.push_back(item.key());
+  }
+  EXPECT_EQ((std::vector<std::string>{"solved", "planner", "agents", "steps", "makespan",
+                                      "sum_of_costs", "sum_of_costs_lower_bound", "arrived",
+                                      "seconds_to_first", "seconds", "policy_calls"}),
+            keys);
+  EXPECT_TRUE(line["solved"].get<bool>());
+  EXPECT_EQ(2, line["agents"].get<int>());
+  EXPECT_EQ(2, line["arrived"].get<int>());
+  EXPECT_EQ(4, line["sum_of_costs_lower_bound"].get<int>());
+  EXPECT_GE(line["sum_of_costs"].get<int>(), 5);  // somebody has to step aside
+  EXPECT_LE(line["seconds_to_first"].get<double>(), line["seconds"].get<double>());
+
+  const CommandResult checked = run("check" + instance() + " " + plan);
+  EXPECT_EQ(0, checked.status) << checked.output;
+  EXPECT_EQ(0u, checked.output.rfind("valid: 2 agents, ", 0)) << checked.output;
+}
+
+TEST_F(CommandsTest, TheSameSeedGivesTheSameFirstPlan) {
+  const auto planWith = [&](const std::string& name) {
+    EXPECT_EQ(0,
+              run("plan" + instance() + " --first --seed 3 --plan " + folder_.path(name)).status);
+    return run("check" + instance() + " " + folder_.path(name)).output;
+  };
+  EXPECT_EQ(planWith("first.txt"), planWith("second.txt"));
+}
+
+TEST_F(CommandsTest, CheckRefusesPlansThatDoNotSolveTheScenario) {
+  const auto expectViolation = [&](const std::string& message, const std::string& plan) {
+    const CommandResult checked = run("check" + instance() + " " + folder_.write("plan.txt", plan));
+    EXPECT_EQ(1, checked.status);
+    EXPECT_EQ("refused: " + message + "\n", checked.output);
+  };
+  expectViolation("step 0: agent 0 at (0,0) instead of its goal (0,2)", "0: (0,0) (0,2)\n");
+  expectViolation("step 1: agent 1 at (0,1), where agent 0 is too",
+                  "0: (0,0) (0,2)\n1: (0,1) (0,1)\n");
+  expectViolation("step 1: agent 1 at (1,2), which is not a free cell",
+                  "0: (0,0) (0,2)\n1: (0,1) (1,2)\n");
+  expectViolation("step 0: 1 agents instead of 2", "0: (0,0)\n");
+}
+
+TEST_F(CommandsTest, RotationsAreRefusedUnlessAskedFor) {
+  const std::string map = folder_.write("r.map", "type octile\nheight 2\nwidth 2\nmap\n..\n..\n");
+  const std::string scenario = folder_.write(
+      "r.scen",
+      "version 1\n0 r.map 2 2 0 0 1 0 1\n0 r.map 2 2 1 0 1 1 1\n0 r.map 2 2 1 1 0 1 1\n"
+      "0 r.map 2 2 0 1 0 0 1\n");
+  const std::string plan =
+      folder_.write("r.txt", "0: (0,0) (0,1) (1,1) (1,0)\n1: (0,1) (1,1) (1,0) (0,0)\n");
+  const std::string ring = " --map " + map + " --scen " + scenario + " --agents 4 ";
+  EXPECT_EQ("refused: step 1: agents 0, 1, 2, 3 move round a ring\n",
+            run("check" + ring + plan).output);
+  EXPECT_EQ(0, run("check --rotations" + ring + plan).status);
+  EXPECT_EQ(0, run("plan --rotations --first" + ring).status);
+  // Four agents on four cells: without rotations nobody can move.
+  const CommandResult stuck = run("plan --json --time-limit 0.5" + ring);
+  EXPECT_EQ(1, stuck.status);
+  const auto line = nlohmann::json::parse(stuck.output);
+  EXPECT_FALSE(line["solved"].get<bool>());
+  EXPECT_TRUE(line["seconds_to_first"].is_null());
+}
+
+TEST_F(CommandsTest, BadOptionsAreOneLineAndStatusTwo) {
+  expectRefused("--map is required", "plan");
+  expectRefused("--agents", "plan" + instance(0));
+  expectRefused("has 2 agents, asked for 3", "plan" + instance(3));
+  expectRefused("--planner: astar not in {", "plan --planner astar" + instance());
+  expectRefused("--weights: planner 'lacam' takes none",
+                "plan --planner lacam --weights w.safetensors" + instance());
+  for (const std::string time : {"0", "-1", "nan", "inf", "soon"}) {
+    expectRefused("--time-limit: " + time + ": must be a number of seconds > 0",
+                  "plan --time-limit=" + time + instance());
+  }
+  expectRefused("--threads: Value 0 not in range 1 to", "plan --threads 0" + instance());
+  expectRefused("--max-steps", "plan --max-steps many" + instance());
+  expectRefused("--fast", "plan --fast" + instance());
+  expectRefused("PLAN is required", "check" + instance());
+  expectRefused("cannot be written", "plan --first --plan /nowhere/plan.txt" + instance());
+}
+
+TEST_F(CommandsTest, BadFilesAreOneLineAndStatusTwo) {
+  const std::string good_map = map_;
+  const auto expectMap = [&](const std::string& error, const std::string& content) {
+    map_ = folder_.write("bad.map", content);
+    expectRefused("/bad.map" + error, "plan" + instance());
+    map_ = good_map;
+  };
+  expectMap(": is empty", "");
+  expectMap(":5: 1 rows: height says 2", "type octile\nheight 2\nwidth 3\nmap\n...\n");
+  expectMap(":1: 'type tile': must be 'type octile'", "type tile\n");
+  expectMap(":2: height '100000': must be a whole number 1 ... 8192",
+            "type octile\nheight 100000\nwidth 3\nmap\n");
+
+  const auto expectScenario = [&](const std::string& error, const std::string& lines) {
+    scenario_ = folder_.write("bad.scen", lines);
+    expectRefused("/bad.scen" + error, "plan" + instance());
+  };
+  expectScenario(": is empty", "");
+  expectScenario(": has 1 agents, asked for 2", "version 1\n0 a.map 3 2 0 0 2 0 2\n");
+  expectScenario(":3: start x '3': must be a whole number 0 ... 2",
+                 "version 1\n0 a.map 3 2 0 0 2 0 2\n0 a.map 3 2 3 0 0 0 2\n");
+  expectScenario(": start (0,0) of agent 1 is also the start of agent 0",
+                 "version 1\n0 a.map 3 2 0 0 2 0 2\n0 a.map 3 2 0 0 0 0 2\n");
+  expectScenario(": start (1,2) of agent 1 lies on an obstacle",
+                 "version 1\n0 a.map 3 2 0 0 2 0 2\n0 a.map 3 2 2 1 0 0 2\n");
+
+  map_ = folder_.write("split.map", "type octile\nheight 2\nwidth 3\nmap\n.@.\n.@.\n");
+  expectScenario(": goal (0,2) of agent 0 cannot be reached from its start (0,0)",
+                 "version 1\n0 a.map 3 2 0 0 2 0 2\n0 a.map 3 2 0 1 0 0 2\n");
+}
+
+TEST_F(CommandsTest, BadPlanFilesAreOneLineAndStatusTwo) {
+  const auto expectPlan = [&](const std::string& error, const std::string& content) {
+    expectRefused("/bad.txt" + error,
+                  "check" + instance() + " " + folder_.write("bad.txt", content));
+  };
+  expectPlan(": is empty", "");
+  expectPlan(":2: step 5: must be 1", "0: (0,0) (0,2)\n5: (0,0) (0,2)\n");
+  expectPlan(":1: ' x': must be", "0 x");
+  expectRefused("/none.txt: there is no such file",
+                "check" + instance() + " " + folder_.path("none.txt"));
+}
+
+TEST_F(CommandsTest, GenerateMapWritesWhatPlanReads) {
+  const std::string map = folder_.path("g.map");
+  const std::string scenario = folder_.path("g.scen");
+  for (const std::string family : {"random --density 0.1", "room --room-size 2", "maze"}) {
+    const CommandResult generated =
+        run("generate_map " + family + " --rows 9 --cols 12 --seed 2 --out " + map + " --scen " +
+            scenario + " --agents 4");
+    EXPECT_EQ(0, generated.status) << generated.output;
+    const CommandResult planned =
+        run("plan --first --map " + map + " --scen " + scenario + " --agents 4");
+    EXPECT_EQ(0, planned.status) << planned.output;
+  }
+  expectRefused("density 1.500000: must be >= 0 and < 1",
+                "generate_map random --density 1.5 --out " + map);
+  expectRefused("grid of 0 x 32 cells", "generate_map maze --rows 0 --out " + map);
+  expectRefused(
+      "99 agents on a map of 1 free cells",
+      "generate_map maze --rows 1 --cols 1 --agents 99 --out " + map + " --scen " + scenario);
+}
+
+}  // namespace
+}  // namespace sylph
