@@ -143,9 +143,14 @@ bool ActionDependencyGraph::mayRelease(const Task& task) const {
          (!task.leaver || isDone(*task.leaver));
 }
 
-std::vector<TaskId> ActionDependencyGraph::release(int lookahead) {
+std::vector<TaskId> ActionDependencyGraph::release(int lookahead,
+                                                   const std::vector<AgentId>& except) {
   std::vector<TaskId> released;
-  for (Progress& progress : progress_) {
+  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+    if (std::find(except.begin(), except.end(), agent) != except.end()) {
+      continue;
+    }
+    Progress& progress = progress_[index(agent)];
     while (progress.released < static_cast<int>(progress.tasks.size()) &&
            progress.released - progress.done < lookahead) {
       const TaskId next = progress.tasks[index(progress.released)];

@@ -68,8 +68,9 @@ class ActionDependencyGraph {
   /// dependency is done and whose type-1 dependency is released. That is as safe: the agent carries
   /// tasks out in order, and everybody else has left their cells for good or waits for this agent.
   /// @param lookahead  tasks that an agent may have released and not done, > 0
+  /// @param except     agents that get nothing
   /// @return tasks that became Enqueued now
-  std::vector<TaskId> release(int lookahead = 1);
+  std::vector<TaskId> release(int lookahead = 1, const std::vector<AgentId>& except = {});
   /// Releases one task, as an event log tells.
   /// @throws std::invalid_argument unless it is Enqueued or its dependencies allow it
   void enqueue(TaskId id);

@@ -1,0 +1,96 @@
+#include "sylph_core/adg/robot_monitor.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace sylph {
+namespace {
+
+double distance(const Point& a, const Point& b) {
+  return std::hypot(a.x - b.x, a.y - b.y);
+}
+
+std::string seconds(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.1f s", value);
+  return text;
+}
+
+}  // namespace
+
+bool RobotMonitor::accept(const RobotReport& report, double now_s) {
+  const bool is_newer = !report_ || report.report_id > report_->report_id;
+  const bool has_restarted =
+      report_ && !is_newer && (report.stamp_s > report_->stamp_s || !isHeard(now_s));
+  if (!is_newer && !has_restarted) {
+    return false;
+  }
+  if (report.position &&
+      (!report_ || distance(*report.position, progress_at_) >= limits_.progress_m)) {
+    progress_at_ = *report.position;
+    progress_s_ = now_s;
+  }
+  const std::optional<Point> last_position = report_ ? report_->position : std::nullopt;
+  report_ = report;
+  if (!report_->position) {
+    report_->position = last_position;
+  }
+  received_s_ = now_s;
+  return true;
+}
+
+RobotCondition RobotMonitor::judge(bool should_move, double now_s) {
+  // A robot that has nothing to do, or cannot see, makes no progress and is not stuck.
+  if (!should_move || (report_ && report_->state == ReportState::Blind)) {
+    progress_s_ = now_s;
+  }
+  if (now_s - received_s_ > limits_.silent_after_s) {
+    return RobotCondition::Silent;
+  }
+  if (report_ && report_->state == ReportState::Blind) {
+    return RobotCondition::Blind;
+  }
+  if (now_s - progress_s_ > limits_.stuck_after_s) {
+    return RobotCondition::Stuck;
+  }
+  return RobotCondition::Ok;
+}
+
+bool RobotMonitor::update(bool should_move, double now_s) {
+  if (!watched_since_s_) {
+    watched_since_s_ = now_s;
+    received_s_ = report_ ? received_s_ : now_s;
+    progress_s_ = now_s;
+  }
+  if (isLost()) {
+    return false;
+  }
+  const RobotCondition before = condition_;
+  condition_ = judge(should_move, now_s);
+  if (condition_ == RobotCondition::Ok) {
+    trouble_since_s_.reset();
+  } else if (!trouble_since_s_) {
+    trouble_since_s_ = now_s;
+  }
+  return condition_ != before;
+}
+
+std::string RobotMonitor::trouble(double now_s) const {
+  const std::string detail =
+      report_ && !report_->detail.empty() ? ": " + report_->detail : std::string();
+  switch (condition_) {
+    case RobotCondition::Ok:
+      return {};
+    case RobotCondition::Silent:
+      return report_ ? "no report for " + seconds(now_s - received_s_) : "no report yet";
+    case RobotCondition::Stuck:
+      return "no progress for " + seconds(now_s - progress_s_) + detail;
+    case RobotCondition::Blind:
+      return "no good pose" + detail;
+    case RobotCondition::Lost:
+      return "lost";
+  }
+  return {};
+}
+
+}  // namespace sylph
