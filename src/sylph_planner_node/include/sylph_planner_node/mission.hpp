@@ -1,0 +1,49 @@
+#pragma once
+
+#include <sylph_msgs/ExecuteMissionAction.h>
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/grid/grid.hpp"
+#include "sylph_core/mapf/types.hpp"
+
+namespace sylph_planner_node {
+
+/// Why a mission ends without success: an outcome of ExecuteMissionResult and one line for people.
+class MissionFailure : public std::runtime_error {
+ public:
+  MissionFailure(std::uint8_t outcome, const std::string& message)
+      : std::runtime_error(message), outcome_(outcome) {}
+  std::uint8_t outcome() const { return outcome_; }
+
+ private:
+  std::uint8_t outcome_;
+};
+
+/// A mission that has been checked as far as it can be without knowing where the robots are.
+struct Mission {
+  std::string map_path;
+  sylph::Grid grid;
+  double cell_size_m = 0.0;
+  std::vector<std::string> robots;
+  sylph::Configuration goals;  ///< one per robot, free and distinct
+  std::string planner;
+  double time_limit_s = 0.0;
+  std::uint32_t seed = 0;
+
+  /// Index of a robot, or robots.size() if it has no part in the mission.
+  std::size_t indexOf(const std::string& robot) const;
+};
+
+/// Reads a request and its map, and fills in the lab's planner and time limit where it names none.
+///
+/// Robots must be robots of the lab. The map must have the size of the lab's map and its cells,
+/// because the other nodes turn cells into metres by the lab's; its obstacles may differ.
+/// @throws MissionFailure (BAD_REQUEST)
+Mission readMission(const sylph_msgs::ExecuteMissionGoal& goal, const sylph::Experiment& lab);
+
+}  // namespace sylph_planner_node

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <ros/node_handle.h>
+#include <sylph_msgs/ExecuteMissionAction.h>
+
+#include <chrono>
+#include <string>
+#include <vector>
+
+#include "sylph_core/experiment/experiment.hpp"
+
+namespace sylph_planner_node {
+
+/// Parameters of sylph_mission besides those of sylph_ros::loadExperiment().
+struct ClientOptions {
+  bool exit_when_done = true;     ///< false: keeps running after the result, so that the rest stays
+  double start_timeout_s = 60.0;  ///< wall time for action server and poses to appear [s], > 0
+  double progress_period_s =
+      2.0;                     ///< wall time between progress lines when nothing changes [s], > 0
+  double report_wait_s = 5.0;  ///< wall time for result.yaml to be written [s], > 0
+};
+
+/// @throws std::runtime_error on an unknown, mistyped or forbidden value
+ClientOptions loadClientOptions(const ros::NodeHandle& private_nh);
+
+/// Sends the mission of an experiment, tells people how it goes and how it ended.
+class MissionClient {
+ public:
+  /// @throws std::runtime_error on a bad parameter or experiment
+  MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_nh);
+
+  /// Runs the whole mission. Callbacks must be served by another thread.
+  /// @return whether all robots have arrived
+  /// @throws std::runtime_error if the planner or a robot's pose does not appear in time
+  bool run();
+
+  bool exitWhenDone() const { return options_.exit_when_done; }
+
+ private:
+  using Client = actionlib::SimpleActionClient<sylph_msgs::ExecuteMissionAction>;
+  using Clock = std::chrono::steady_clock;
+
+  void waitForServer(Clock::time_point deadline);
+  void waitForPoses(Clock::time_point deadline);
+  void sendMission();
+  /// Returns when the mission has ended. A planner that was started again gets the mission anew: it
+  /// goes on with the plan that is being carried out.
+  void waitForResult();
+  void onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback);
+  void printRunReport();
+
+  ros::NodeHandle nh_;
+  ClientOptions options_;
+  sylph::Experiment experiment_;
+  Client client_;
+  std::string last_headline_;
+  Clock::time_point printed_at_;
+};
+
+}  // namespace sylph_planner_node

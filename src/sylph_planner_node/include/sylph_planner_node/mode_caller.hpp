@@ -1,0 +1,33 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <future>
+#include <optional>
+#include <string>
+
+namespace sylph_planner_node {
+
+/// Asks the central node to pause or to resume without blocking the caller.
+class ModeCaller {
+ public:
+  explicit ModeCaller(ros::NodeHandle nh) : nh_(nh) {}
+
+  void pause();
+  void resume();
+
+  /// Whether the pause that is in force was asked for here, not by an operator.
+  bool isPausedByUs() const { return is_paused_by_us_; }
+
+  /// The reason if a call has failed since the last time that this was asked.
+  std::optional<std::string> takeError();
+
+ private:
+  void call(const std::string& service);
+
+  ros::NodeHandle nh_;
+  bool is_paused_by_us_ = false;
+  std::future<std::string> answer_;  ///< empty: done
+};
+
+}  // namespace sylph_planner_node

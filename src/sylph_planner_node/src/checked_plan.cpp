@@ -1,0 +1,125 @@
+#include "sylph_planner_node/checked_plan.hpp"
+
+#include <chrono>
+#include <cmath>
+#include <exception>
+#include <limits>
+#include <optional>
+
+#include "sylph_core/grid/components.hpp"
+#include "sylph_core/mapf/check_plan.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph_msgs::ExecuteMissionResult;
+
+struct TimedResult {
+  sylph::PlanningResult result;
+  double planning_s;
+};
+
+TimedResult runPlanner(const Mission& mission, const sylph::Instance& instance) {
+  sylph::PlanningLimits limits;
+  limits.time_limit_s = mission.time_limit_s;
+  sylph::Rng rng(mission.seed);
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    sylph::PlanningResult result = sylph::makePlanner(mission.planner)->plan(instance, limits, rng);
+    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
+    return {std::move(result), took.count()};
+  } catch (const std::exception& error) {
+    throw MissionFailure(ExecuteMissionResult::NO_PLAN,
+                         "planner " + mission.planner + " failed: " + error.what());
+  }
+}
+
+/// One social state per joint action; unknown where the planner gives none.
+std::vector<sylph::SocialState> completeSocial(std::vector<sylph::SocialState> social,
+                                               std::size_t steps, std::size_t agents) {
+  sylph::SocialState unknown;
+  for (std::size_t agent = 0; agent < agents; ++agent) {
+    unknown.partners.push_back(static_cast<sylph::AgentId>(agent));
+    unknown.svo_deg.push_back(std::numeric_limits<float>::quiet_NaN());
+  }
+  for (sylph::SocialState& state : social) {
+    if (state.partners.size() != agents || state.svo_deg.size() != agents) {
+      state = unknown;
+    }
+  }
+  social.resize(steps, unknown);
+  return social;
+}
+
+CheckedPlan check(const Mission& mission, const sylph::Instance& instance, TimedResult timed) {
+  if (const auto violation = sylph::checkPlan(instance, timed.result.plan)) {
+    throw MissionFailure(ExecuteMissionResult::NO_PLAN,
+                         "the plan of planner " + mission.planner +
+                             " is wrong and was dropped: " + violation->message);
+  }
+  CheckedPlan checked;
+  checked.instance = instance;
+  checked.social = completeSocial(std::move(timed.result.social), timed.result.plan.size() - 1,
+                                  instance.starts.size());
+  checked.plan = std::move(timed.result.plan);
+  checked.metrics = sylph::computeMetrics(instance, checked.plan);
+  checked.planning_s = timed.planning_s;
+  return checked;
+}
+
+}  // namespace
+
+sylph::Instance toInstance(const Mission& mission, const sylph::Configuration& starts,
+                           const std::vector<sylph::Cell>& obstacles) {
+  sylph::Instance instance;
+  instance.grid = mission.grid;
+  instance.starts = starts;
+  instance.goals = mission.goals;
+  instance.motion.rotations = false;
+  for (const sylph::Cell& cell : obstacles) {
+    instance.grid.setObstacle(cell);
+  }
+  const std::vector<int> label = sylph::connectedComponents(instance.grid).label;
+  const auto component = [&](const sylph::Cell& cell) {
+    return label[static_cast<std::size_t>(instance.grid.indexOf(cell))];
+  };
+  for (std::size_t i = 0; i < starts.size(); ++i) {
+    if (!instance.grid.isFree(starts[i])) {
+      throw MissionFailure(ExecuteMissionResult::NO_POSE,
+                           mission.robots[i] + " in cell " + sylph::toString(starts[i]) +
+                               " touches a robot that has no part in the mission");
+    }
+    if (component(starts[i]) != component(mission.goals[i])) {
+      throw MissionFailure(ExecuteMissionResult::BAD_REQUEST,
+                           "goal " + sylph::toString(mission.goals[i]) + " of " +
+                               mission.robots[i] + " cannot be reached from its cell " +
+                               sylph::toString(starts[i]));
+    }
+  }
+  return instance;
+}
+
+CheckedPlan planMission(const Mission& mission, const sylph::Instance& instance) {
+  TimedResult timed = runPlanner(mission, instance);
+  if (timed.result.outcome != sylph::Outcome::Solved) {
+    throw MissionFailure(
+        ExecuteMissionResult::NO_PLAN,
+        "planner " + mission.planner + " found no plan: " + sylph::toString(timed.result.outcome));
+  }
+  return check(mission, instance, std::move(timed));
+}
+
+CheckedPlan planAsFarAsPossible(const Mission& mission, const sylph::Instance& instance) {
+  TimedResult timed = runPlanner(mission, instance);
+  if (timed.result.outcome == sylph::Outcome::Solved) {
+    return check(mission, instance, std::move(timed));
+  }
+  if (timed.result.plan.empty()) {
+    timed.result.plan = {instance.starts};
+  }
+  sylph::Instance shortened = instance;
+  shortened.goals = timed.result.plan.back();
+  return check(mission, shortened, std::move(timed));
+}
+
+}  // namespace sylph_planner_node

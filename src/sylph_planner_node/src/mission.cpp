@@ -1,0 +1,119 @@
+#include "sylph_planner_node/mission.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <map>
+
+#include "sylph_core/grid/map_file.hpp"
+#include "sylph_core/planners/planner.hpp"
+#include "sylph_planner_node/mission_text.hpp"
+#include "sylph_ros/conversions.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph_msgs::ExecuteMissionGoal;
+using sylph_msgs::ExecuteMissionResult;
+
+[[noreturn]] void refuse(const std::string& message) {
+  throw MissionFailure(ExecuteMissionResult::BAD_REQUEST, message);
+}
+
+std::string sizeOf(const sylph::Grid& grid) {
+  return std::to_string(grid.rows()) + " x " + std::to_string(grid.cols()) + " cells";
+}
+
+sylph::Grid readMap(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
+  sylph::Grid grid;
+  try {
+    grid = sylph::loadMap(goal.map);
+  } catch (const std::exception& error) {
+    refuse(error.what());
+  }
+  if (grid.rows() != lab.grid.rows() || grid.cols() != lab.grid.cols()) {
+    refuse("map " + goal.map + " has " + sizeOf(grid) + ", the lab's map " + lab.map_path +
+           " has " + sizeOf(lab.grid) + ": they must be of the same size");
+  }
+  if (!(std::abs(goal.cell_size_m - lab.cell_size_m) < 1e-6)) {
+    refuse("cell_size_m " + std::to_string(goal.cell_size_m) + ": the lab's cells have " +
+           std::to_string(lab.cell_size_m) + " m");
+  }
+  return grid;
+}
+
+void requireRobots(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
+  if (goal.robots.empty()) {
+    refuse("a mission needs at least one robot");
+  }
+  if (goal.robots.size() != goal.goals.size()) {
+    refuse(std::to_string(goal.robots.size()) + " robots but " + std::to_string(goal.goals.size()) +
+           " goals");
+  }
+  for (auto robot = goal.robots.begin(); robot != goal.robots.end(); ++robot) {
+    const bool is_known =
+        std::any_of(lab.robots.begin(), lab.robots.end(),
+                    [&](const sylph::RobotSpec& spec) { return spec.name == *robot; });
+    if (!is_known) {
+      refuse("unknown robot '" + *robot + "': it is not in " + lab.path);
+    }
+    if (std::find(goal.robots.begin(), robot, *robot) != robot) {
+      refuse("robot " + *robot + " is named twice");
+    }
+  }
+}
+
+void requireGoals(const Mission& mission) {
+  std::map<sylph::Cell, std::string> owner;
+  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
+    const sylph::Cell& goal = mission.goals[i];
+    const std::string subject = "goal " + sylph::toString(goal) + " of " + mission.robots[i];
+    if (!mission.grid.isInside(goal)) {
+      refuse(subject + " lies outside the map of " + sizeOf(mission.grid));
+    }
+    if (!mission.grid.isFree(goal)) {
+      refuse(subject + " lies on an obstacle");
+    }
+    const auto [other, is_new] = owner.emplace(goal, mission.robots[i]);
+    if (!is_new) {
+      refuse(subject + " is also the goal of " + other->second);
+    }
+  }
+}
+
+void requirePlanner(const Mission& mission) {
+  const std::vector<std::string>& names = sylph::plannerNames();
+  if (std::find(names.begin(), names.end(), mission.planner) == names.end()) {
+    refuse("unknown planner '" + mission.planner + "': allowed are " + joinNames(names));
+  }
+  if (!std::isfinite(mission.time_limit_s) || mission.time_limit_s <= 0.0) {
+    refuse("time_limit_s " + std::to_string(mission.time_limit_s) + ": must be > 0, or 0 for " +
+           "the default");
+  }
+}
+
+}  // namespace
+
+std::size_t Mission::indexOf(const std::string& robot) const {
+  return static_cast<std::size_t>(std::find(robots.begin(), robots.end(), robot) - robots.begin());
+}
+
+Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
+  requireRobots(goal, lab);
+  Mission mission;
+  mission.map_path = goal.map;
+  mission.grid = readMap(goal, lab);
+  mission.cell_size_m = goal.cell_size_m;
+  mission.robots = goal.robots;
+  for (const sylph_msgs::Cell& cell : goal.goals) {
+    mission.goals.push_back(sylph_ros::fromMessage(cell));
+  }
+  requireGoals(mission);
+  mission.planner = goal.planner.empty() ? lab.planning.planner : goal.planner;
+  mission.time_limit_s = goal.time_limit_s == 0.0 ? lab.planning.time_limit_s : goal.time_limit_s;
+  mission.seed = goal.seed;
+  requirePlanner(mission);
+  return mission;
+}
+
+}  // namespace sylph_planner_node

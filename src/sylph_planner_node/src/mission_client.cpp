@@ -1,0 +1,167 @@
+#include "sylph_planner_node/mission_client.hpp"
+
+#include <geometry_msgs/PoseStamped.h>
+
+#include <atomic>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <stdexcept>
+#include <thread>
+
+#include "sylph_planner_node/mission_text.hpp"
+#include "sylph_ros/experiment.hpp"
+#include "sylph_ros/parameters.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+constexpr std::chrono::milliseconds kPollPeriod{50};
+constexpr char kRunFolderParameter[] = "run_folder";
+constexpr char kReportFile[] = "result.yaml";
+
+void say(const std::string& text) {
+  std::cout << text << std::endl;
+}
+
+std::chrono::steady_clock::duration seconds(double value) {
+  return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
+      std::chrono::duration<double>(value));
+}
+
+}  // namespace
+
+ClientOptions loadClientOptions(const ros::NodeHandle& private_nh) {
+  ClientOptions options;
+  sylph_ros::read(private_nh, "exit_when_done", options.exit_when_done);
+  sylph_ros::read(private_nh, "start_timeout_s", options.start_timeout_s);
+  sylph_ros::read(private_nh, "progress_period_s", options.progress_period_s);
+  sylph_ros::read(private_nh, "report_wait_s", options.report_wait_s);
+  sylph_ros::requirePositive(private_nh, "start_timeout_s", options.start_timeout_s);
+  sylph_ros::requirePositive(private_nh, "progress_period_s", options.progress_period_s);
+  sylph_ros::requirePositive(private_nh, "report_wait_s", options.report_wait_s);
+  sylph_ros::requireKnown(private_nh,
+                          {"experiment", "seed", "planner", "run_folder", "exit_when_done",
+                           "start_timeout_s", "progress_period_s", "report_wait_s"});
+  return options;
+}
+
+MissionClient::MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
+    : nh_(nh),
+      options_(loadClientOptions(private_nh)),
+      experiment_(sylph_ros::loadExperiment(private_nh)),
+      client_(nh_, sylph_ros::kExecuteMissionAction, false) {}
+
+bool MissionClient::run() {
+  const Clock::time_point deadline = Clock::now() + seconds(options_.start_timeout_s);
+  say("experiment " + experiment_.name + ": " + std::to_string(experiment_.robots.size()) +
+      " robots, seed " + std::to_string(experiment_.seed) + ", planner " +
+      experiment_.planning.planner);
+  waitForServer(deadline);
+  waitForPoses(deadline);
+  sendMission();
+  waitForResult();
+  if (!ros::ok()) {
+    return false;
+  }
+  const auto result = client_.getResult();
+  if (!result) {
+    say("the mission ended without a result: " + client_.getState().toString());
+    return false;
+  }
+  say(resultText(*result));
+  printRunReport();
+  return result->outcome == sylph_msgs::ExecuteMissionResult::SUCCESS &&
+         client_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
+}
+
+void MissionClient::waitForServer(Clock::time_point deadline) {
+  while (ros::ok() && !client_.isServerConnected()) {
+    if (Clock::now() > deadline) {
+      throw std::runtime_error("no planner: nobody serves the action " +
+                               nh_.resolveName(sylph_ros::kExecuteMissionAction));
+    }
+    std::this_thread::sleep_for(kPollPeriod);
+  }
+}
+
+void MissionClient::waitForPoses(Clock::time_point deadline) {
+  for (const sylph::RobotSpec& robot : experiment_.robots) {
+    const std::string topic = "/" + robot.name + "/" + sylph_ros::kPoseTopic;
+    const auto has_come = std::make_shared<std::atomic<bool>>(false);
+    const boost::function<void(const geometry_msgs::PoseStampedConstPtr&)> note =
+        [has_come](const geometry_msgs::PoseStampedConstPtr&) { *has_come = true; };
+    const ros::Subscriber subscriber = nh_.subscribe<geometry_msgs::PoseStamped>(topic, 1, note);
+    Clock::time_point next_word = Clock::now() + seconds(options_.progress_period_s);
+    while (ros::ok() && !*has_come) {
+      if (Clock::now() > deadline) {
+        throw std::runtime_error("no pose on " + topic + ": is " + robot.rigid_body +
+                                 " seen by the motion capture?");
+      }
+      if (Clock::now() > next_word) {
+        say("waiting for a pose on " + topic);
+        next_word += seconds(options_.progress_period_s);
+      }
+      std::this_thread::sleep_for(kPollPeriod);
+    }
+  }
+}
+
+void MissionClient::sendMission() {
+  printed_at_ = Clock::now();
+  client_.sendGoal(
+      toGoal(experiment_), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+      [this](const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) { onFeedback(feedback); });
+}
+
+void MissionClient::waitForResult() {
+  while (ros::ok()) {
+    const auto state = client_.getState();
+    if (state == actionlib::SimpleClientGoalState::LOST) {
+      say("the planner was started again: giving it the mission anew");
+      sendMission();
+    } else if (state.isDone()) {
+      return;
+    }
+    std::this_thread::sleep_for(kPollPeriod);
+  }
+}
+
+void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) {
+  const std::string text = progressText(*feedback, experiment_.robots.size());
+  const std::string headline = text.substr(0, text.find(':'));
+  if (headline == last_headline_ &&
+      Clock::now() - printed_at_ < seconds(options_.progress_period_s)) {
+    return;
+  }
+  last_headline_ = headline;
+  printed_at_ = Clock::now();
+  say(text);
+}
+
+void MissionClient::printRunReport() {
+  std::string folder;
+  nh_.getParam(kRunFolderParameter, folder);
+  if (folder.empty()) {
+    say("no run folder: parameter " + nh_.resolveName(kRunFolderParameter) + " is not set");
+    return;
+  }
+  const std::filesystem::path path = std::filesystem::path(folder) / kReportFile;
+  const Clock::time_point deadline = Clock::now() + seconds(options_.report_wait_s);
+  while (ros::ok() && !std::filesystem::exists(path) && Clock::now() < deadline) {
+    std::this_thread::sleep_for(kPollPeriod);
+  }
+  std::ifstream file(path);
+  if (!file) {
+    say(path.string() + " has not been written");
+    return;
+  }
+  say(path.string() + ":");
+  for (std::string line; std::getline(file, line);) {
+    say("  " + line);
+  }
+}
+
+}  // namespace sylph_planner_node

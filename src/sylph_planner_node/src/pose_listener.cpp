@@ -1,0 +1,25 @@
+#include "sylph_planner_node/pose_listener.hpp"
+
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_planner_node {
+
+void PoseListener::start(const std::vector<std::string>& robots) {
+  stop();
+  poses_.clear();
+  for (const std::string& robot : robots) {
+    const boost::function<void(const geometry_msgs::PoseStamped&)> store =
+        [this, robot](const geometry_msgs::PoseStamped& pose) {
+          poses_[robot] = {pose, clock_.now()};
+        };
+    subscribers_.push_back(nh_.subscribe<geometry_msgs::PoseStamped>(
+        "/" + robot + "/" + sylph_ros::kPoseTopic, 1, store, ros::VoidConstPtr(),
+        ros::TransportHints().tcpNoDelay()));
+  }
+}
+
+void PoseListener::stop() {
+  subscribers_.clear();
+}
+
+}  // namespace sylph_planner_node

@@ -1,0 +1,109 @@
+#include "sylph_planner_node/replanning.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include "sylph_core/grid/components.hpp"
+#include "sylph_core/grid/distance_field.hpp"
+#include "sylph_ros/conversions.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph_msgs::ExecuteMissionResult;
+using sylph_msgs::RobotExecution;
+
+[[noreturn]] void fail(const std::string& message) {
+  throw MissionFailure(ExecuteMissionResult::PLAN_REFUSED, "cannot plan the rest: " + message);
+}
+
+const RobotExecution& executionOf(const std::string& robot, const sylph_msgs::AdgState& cut) {
+  const auto found = std::find_if(cut.robots.begin(), cut.robots.end(),
+                                  [&](const RobotExecution& r) { return r.robot_id == robot; });
+  if (found == cut.robots.end()) {
+    fail("the central node does not know " + robot);
+  }
+  return *found;
+}
+
+/// The free cell of `label` nearest to `goal` by the way on the map without lost robots.
+sylph::Cell nearestCell(const sylph::Grid& map, const sylph::Grid& grid,
+                        const std::vector<int>& labels, int label, const sylph::Cell& goal,
+                        const std::set<sylph::Cell>& taken) {
+  const sylph::DistanceField distance(map, goal);
+  sylph::Cell best;
+  int best_distance = sylph::DistanceField::kUnreachable;
+  for (const sylph::Cell& cell : grid.freeCells()) {
+    const bool is_candidate =
+        labels[static_cast<std::size_t>(grid.indexOf(cell))] == label && taken.count(cell) == 0;
+    if (is_candidate && distance.at(cell) < best_distance) {
+      best = cell;
+      best_distance = distance.at(cell);
+    }
+  }
+  // As many cells as robots are in each part of the map, so that one is left for everybody.
+  return best;
+}
+
+/// Replaces the goals that cannot be reached any more.
+void adaptGoals(const sylph::Grid& map, RestOfMission& rest) {
+  sylph::Instance& instance = rest.instance;
+  const std::vector<int> labels = sylph::connectedComponents(instance.grid).label;
+  const auto labelOf = [&](const sylph::Cell& cell) {
+    return labels[static_cast<std::size_t>(instance.grid.indexOf(cell))];
+  };
+  std::set<sylph::Cell> taken;
+  std::vector<std::size_t> without_goal;
+  for (std::size_t i = 0; i < rest.robots.size(); ++i) {
+    if (instance.grid.isFree(instance.goals[i]) &&
+        labelOf(instance.goals[i]) == labelOf(instance.starts[i])) {
+      taken.insert(instance.goals[i]);
+    } else {
+      without_goal.push_back(i);
+    }
+  }
+  for (const std::size_t i : without_goal) {
+    const sylph::Cell wanted = instance.goals[i];
+    instance.goals[i] =
+        nearestCell(map, instance.grid, labels, labelOf(instance.starts[i]), wanted, taken);
+    taken.insert(instance.goals[i]);
+    rest.given_up.push_back(rest.robots[i] + " cannot reach " + sylph::toString(wanted) +
+                            " any more and goes to " + sylph::toString(instance.goals[i]));
+  }
+}
+
+}  // namespace
+
+RestOfMission restOfMission(const Mission& mission, const sylph_msgs::AdgState& cut) {
+  RestOfMission rest;
+  sylph::Instance& instance = rest.instance;
+  instance.grid = mission.grid;
+  instance.motion.rotations = false;
+  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
+    const RobotExecution& robot = executionOf(mission.robots[i], cut);
+    if (robot.condition == RobotExecution::LOST) {
+      for (const sylph_msgs::Cell& cell : robot.held_cells) {
+        if (instance.grid.isInside(sylph_ros::fromMessage(cell))) {
+          instance.grid.setObstacle(sylph_ros::fromMessage(cell));
+        }
+      }
+      continue;
+    }
+    rest.robots.push_back(mission.robots[i]);
+    instance.starts.push_back(sylph_ros::fromMessage(robot.cell));
+    instance.goals.push_back(mission.goals[i]);
+  }
+  if (rest.robots.empty()) {
+    fail("all robots are lost");
+  }
+  for (std::size_t i = 0; i < rest.robots.size(); ++i) {
+    if (!instance.grid.isFree(instance.starts[i])) {
+      fail(rest.robots[i] + " is reported in cell " + sylph::toString(instance.starts[i]) +
+           ", which is not free");
+    }
+  }
+  adaptGoals(mission.grid, rest);
+  return rest;
+}
+
+}  // namespace sylph_planner_node

@@ -1,0 +1,97 @@
+#include "sylph_planner_node/mission.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "small_lab.hpp"
+#include "sylph_planner_node/mission_text.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph_msgs::ExecuteMissionGoal;
+
+TEST(ReadMissionTest, TakesWhatTheRequestNamesAndTheLabsDefaults) {
+  ExecuteMissionGoal goal = toGoal(smallLab());
+  goal.planner = "";
+  goal.time_limit_s = 0.0;
+  goal.seed = 7;
+  const Mission mission = readMission(goal, smallLab());
+  EXPECT_EQ((std::vector<std::string>{"robot_0", "robot_1", "robot_2"}), mission.robots);
+  EXPECT_EQ((sylph::Configuration{{0, 4}, {2, 0}, {0, 0}}), mission.goals);
+  EXPECT_EQ("lacam", mission.planner);
+  EXPECT_DOUBLE_EQ(0.2, mission.time_limit_s);
+  EXPECT_EQ(7U, mission.seed);
+  EXPECT_EQ(smallLab().grid, mission.grid);
+}
+
+TEST(ReadMissionTest, TakesSomeOfTheRobots) {
+  ExecuteMissionGoal goal = toGoal(smallLab());
+  goal.robots = {"robot_2"};
+  goal.goals.resize(1);
+  const Mission mission = readMission(goal, smallLab());
+  EXPECT_EQ(0U, mission.indexOf("robot_2"));
+  EXPECT_EQ(1U, mission.indexOf("robot_0"));
+}
+
+struct BadRequest {
+  std::string name;
+  std::function<void(ExecuteMissionGoal&)> spoil;
+  std::string message;  ///< a part of it
+};
+
+class BadRequestTest : public testing::TestWithParam<BadRequest> {};
+
+TEST_P(BadRequestTest, IsRefusedWithOneClearLine) {
+  ExecuteMissionGoal goal = toGoal(smallLab());
+  GetParam().spoil(goal);
+  const std::string failure = failureOf([&] { readMission(goal, smallLab()); });
+  EXPECT_EQ("1: ", failure.substr(0, 3)) << failure;
+  EXPECT_NE(std::string::npos, failure.find(GetParam().message)) << failure;
+  EXPECT_EQ(std::string::npos, failure.find('\n')) << failure;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Requests, BadRequestTest,
+    testing::Values(BadRequest{"NoRobot", [](ExecuteMissionGoal& g) { g.robots.clear(); },
+                               "at least one robot"},
+                    BadRequest{"FewerGoals", [](ExecuteMissionGoal& g) { g.goals.pop_back(); },
+                               "3 robots but 2 goals"},
+                    BadRequest{"UnknownRobot",
+                               [](ExecuteMissionGoal& g) { g.robots[1] = "robot_9"; },
+                               "unknown robot 'robot_9'"},
+                    BadRequest{"RobotTwice", [](ExecuteMissionGoal& g) { g.robots[1] = "robot_0"; },
+                               "robot robot_0 is named twice"},
+                    BadRequest{"MissingMap", [](ExecuteMissionGoal& g) { g.map = "/nowhere.map"; },
+                               "/nowhere.map"},
+                    BadRequest{"OtherMapSize",
+                               [](ExecuteMissionGoal& g) {
+                                 g.map = std::string(SYLPH_TEST_DATA) + "/other_size.map";
+                               },
+                               "3 x 4 cells"},
+                    BadRequest{"OtherCellSize", [](ExecuteMissionGoal& g) { g.cell_size_m = 0.5; },
+                               "cell_size_m 0.5"},
+                    BadRequest{"CellSizeNotANumber",
+                               [](ExecuteMissionGoal& g) { g.cell_size_m = NAN; }, "cell_size_m"},
+                    BadRequest{"GoalOutside", [](ExecuteMissionGoal& g) { g.goals[0].row = 3; },
+                               "goal (3,4) of robot_0 lies outside"},
+                    BadRequest{"GoalOnObstacle",
+                               [](ExecuteMissionGoal& g) {
+                                 g.goals[1].row = 1;
+                                 g.goals[1].col = 2;
+                               },
+                               "goal (1,2) of robot_1 lies on an obstacle"},
+                    BadRequest{"GoalTwice", [](ExecuteMissionGoal& g) { g.goals[2] = g.goals[0]; },
+                               "goal (0,4) of robot_2 is also the goal of robot_0"},
+                    BadRequest{"UnknownPlanner", [](ExecuteMissionGoal& g) { g.planner = "magic"; },
+                               "unknown planner 'magic'"},
+                    BadRequest{"NegativeTime", [](ExecuteMissionGoal& g) { g.time_limit_s = -1.0; },
+                               "time_limit_s"}),
+    [](const testing::TestParamInfo<BadRequest>& param) { return param.param.name; });
+
+}  // namespace
+}  // namespace sylph_planner_node

@@ -1,0 +1,46 @@
+#include "sylph_planner_node/mission_text.hpp"
+
+#include <gtest/gtest.h>
+
+#include "small_lab.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph_msgs::ExecuteMissionResult;
+
+TEST(ToGoalTest, AsksForAllRobotsOfTheExperiment) {
+  const auto goal = toGoal(smallLab());
+  EXPECT_EQ(3U, goal.robots.size());
+  EXPECT_EQ(3U, goal.goals.size());
+  EXPECT_EQ(2, goal.goals[1].row);
+  EXPECT_EQ(smallLab().map_path, goal.map);
+  EXPECT_DOUBLE_EQ(0.3, goal.cell_size_m);
+  EXPECT_EQ("lacam", goal.planner);
+}
+
+TEST(ProgressTextTest, CountsAndNamesWhoWaits) {
+  sylph_msgs::ExecuteMissionFeedback feedback;
+  feedback.phase = "planning";
+  EXPECT_EQ("planning", progressText(feedback, 8));
+  feedback.phase = "executing";
+  feedback.tasks_done = 31;
+  feedback.tasks_total = 120;
+  feedback.robots_arrived = 2;
+  feedback.waiting = {"robot_1 waits"};
+  EXPECT_EQ("executing: 31 of 120 tasks, 2 of 8 robots arrived\n    robot_1 waits",
+            progressText(feedback, 8));
+}
+
+TEST(ResultTextTest, NamesEachOutcome) {
+  ExecuteMissionResult result;
+  result.outcome = ExecuteMissionResult::NO_POSE;
+  result.message = "no pose of robot_1 has come";
+  EXPECT_EQ(0U, resultText(result).find("NO_POSE: no pose of robot_1 has come\n"));
+  EXPECT_EQ("SUCCESS", outcomeName(ExecuteMissionResult::SUCCESS));
+  EXPECT_EQ("INCOMPLETE", outcomeName(ExecuteMissionResult::INCOMPLETE));
+  EXPECT_EQ("outcome 99", outcomeName(99));
+}
+
+}  // namespace
+}  // namespace sylph_planner_node

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+
+#include <string>
+#include <vector>
+
+#include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/grid/cell_frame.hpp"
+#include "sylph_planner_node/mission.hpp"
+
+/// The lab of test/data/small_lab.yaml, and what a test says about it.
+namespace sylph_planner_node {
+
+inline sylph::Experiment smallLab() {
+  return sylph::loadExperiment(std::string(SYLPH_TEST_DATA) + "/small_lab.yaml");
+}
+
+/// The mission of the small lab: robots 0, 1, 2 to their goals.
+inline Mission smallMission() {
+  const sylph::Experiment lab = smallLab();
+  Mission mission;
+  mission.map_path = lab.map_path;
+  mission.grid = lab.grid;
+  mission.cell_size_m = lab.cell_size_m;
+  for (const sylph::RobotSpec& robot : lab.robots) {
+    mission.robots.push_back(robot.name);
+    mission.goals.push_back(robot.goal);
+  }
+  mission.planner = lab.planning.planner;
+  mission.time_limit_s = lab.planning.time_limit_s;
+  return mission;
+}
+
+inline sylph::Configuration smallStarts() {
+  sylph::Configuration starts;
+  for (const sylph::RobotSpec& robot : smallLab().robots) {
+    starts.push_back(robot.start);
+  }
+  return starts;
+}
+
+/// A pose in the middle of a cell.
+inline geometry_msgs::PoseStamped poseIn(const Mission& mission, const sylph::Cell& cell) {
+  const sylph::Point point = sylph::CellFrame(mission.grid, mission.cell_size_m).toPoint(cell);
+  geometry_msgs::PoseStamped pose;
+  pose.header.frame_id = "map";
+  pose.pose.position.x = point.x;
+  pose.pose.position.y = point.y;
+  pose.pose.orientation.w = 1.0;
+  return pose;
+}
+
+/// The message of the failure that `call` throws, with its outcome in front: "1: unknown robot".
+template <typename Call>
+std::string failureOf(const Call& call) {
+  try {
+    call();
+  } catch (const MissionFailure& failure) {
+    return std::to_string(failure.outcome()) + ": " + failure.what();
+  }
+  return "no failure";
+}
+
+}  // namespace sylph_planner_node
