@@ -128,7 +128,7 @@ Markers statusMarkers(const Scene& scene) {
       markers.push_back(attach(std::move(part), robot));
     }
     if (status == RobotStatus::Fault) {
-      markers.push_back(attach(text({"fault", id}, {0.0, 0.20}, height::kText, 0.12,
+      markers.push_back(attach(text({"fault", id}, {0.0, -0.20}, height::kText, 0.12,
                                     conditionName(*robot.execution), vermillion()),
                                robot));
     }
@@ -153,7 +153,7 @@ Markers waitMarkers(const Scene& scene) {
       markers.push_back(attach(
           ring({"root_cause", id}, {0.0, 0.0}, 0.19, height::kWait, 0.03, vermillion()), robot));
       markers.push_back(
-          attach(text({"root_cause_text", id}, {0.0, -0.26}, height::kText, 0.10,
+          attach(text({"root_cause_text", id}, {0.0, -0.31}, height::kText, 0.10,
                       rootCauseText(cause->second.held_up, cause->second.cause), white()),
                  robot));
     }

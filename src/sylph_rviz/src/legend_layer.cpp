@@ -1,5 +1,6 @@
 #include <sylph_msgs/AgentAction.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -13,10 +14,35 @@ namespace {
 
 using sylph_msgs::AdgState;
 
+// Lengths at full size; the legend is made smaller to be as high as the map.
 constexpr double kMarginM = 0.25;  // from the map to the legend
 constexpr double kSignM = 0.22;    // from a sign's middle to its words
 constexpr double kLineM = 0.24;    // from line to line
-constexpr double kLetterM = 0.13;
+constexpr double kLetterM = 0.14;
+constexpr double kTitleM = 0.18;
+constexpr int kLines = 23;
+constexpr double kSmallest = 0.5;
+
+/// The factor that makes the legend as high as the map, within bounds.
+double legendScale(const MapExtent& map) {
+  return std::clamp(map.rows * map.cell_size_m / (kLines * kLineM), kSmallest, 1.0);
+}
+
+Marker scaled(Marker marker, double factor) {
+  for (geometry_msgs::Point& point : marker.points) {
+    point.x *= factor;
+    point.y *= factor;
+  }
+  // The points of a triangle list are multiplied by its scale.
+  if (marker.type != Marker::TRIANGLE_LIST) {
+    marker.scale.x *= factor;
+    marker.scale.y *= factor;
+    marker.scale.z *= factor;
+  }
+  marker.pose.position.x *= factor;
+  marker.pose.position.y *= factor;
+  return marker;
+}
 
 const char* phaseName(std::uint8_t phase) {
   constexpr std::array<const char*, 7> kNames = {"IDLE",   "RECEIVING", "EXECUTING", "CUTTING",
@@ -34,36 +60,46 @@ std::string format(const char* pattern, double first, double second) {
 class Writer {
  public:
   explicit Writer(const MapExtent& map)
-      : x_m_(map.cols * map.cell_size_m + kMarginM), y_m_(map.rows * map.cell_size_m - 0.1) {}
+      : scale_(legendScale(map)),
+        x_m_(map.cols * map.cell_size_m + kMarginM * scale_),
+        y_m_(map.rows * map.cell_size_m - 0.5 * kLineM * scale_) {}
 
   void line(const std::string& words, const std_msgs::ColorRGBA& color,
             double letter_m = kLetterM) {
-    const sylph::Point start{x_m_, y_m_};
-    if (!words.empty()) {
-      markers_.push_back(
-          textFrom({"words", next_id_++}, start, height::kText, letter_m, words, color));
-    }
-    y_m_ -= kLineM;
+    write(words, 0.0, color, letter_m);
+    advance(1.0);
   }
 
+  void gap() { advance(0.5); }
+
   /// A sign, made of markers around the origin, and its meaning.
-  void sign(Markers parts, const std::string& words) {
-    const double middle_m = x_m_ + 0.12;
-    for (Marker& part : parts) {
-      part.ns = "signs";
-      part.id = next_id_++;
-      part.pose.position.x += middle_m;
-      part.pose.position.y += y_m_;
-      markers_.push_back(std::move(part));
+  void sign(const Markers& parts, const std::string& words) {
+    const double middle_m = 0.6 * kSignM;
+    for (const Marker& part : parts) {
+      Marker marker = scaled(part, scale_);
+      marker.ns = "signs";
+      marker.id = next_id_++;
+      marker.pose.position.x += x_m_ + middle_m * scale_;
+      marker.pose.position.y += y_m_;
+      markers_.push_back(std::move(marker));
     }
-    markers_.push_back(textFrom({"words", next_id_++}, {middle_m + kSignM, y_m_}, height::kText,
-                                kLetterM, words, white()));
-    y_m_ -= kLineM;
+    write(words, middle_m + kSignM, white(), kLetterM);
+    advance(1.0);
   }
 
   Markers take() { return std::move(markers_); }
 
  private:
+  void write(const std::string& words, double indent_m, const std_msgs::ColorRGBA& color,
+             double letter_m) {
+    const sylph::Point start{x_m_ + indent_m * scale_, y_m_};
+    markers_.push_back(
+        textFrom({"words", next_id_++}, start, height::kText, letter_m * scale_, words, color));
+  }
+
+  void advance(double lines) { y_m_ -= lines * kLineM * scale_; }
+
+  double scale_;
   double x_m_;
   double y_m_;
   int next_id_ = 0;
@@ -72,7 +108,7 @@ class Writer {
 
 void writeMission(const Scene& scene, Writer& writer) {
   if (!scene.state) {
-    writer.line("waiting for the central node", white(), 0.16);
+    writer.line("waiting for the central node", white(), kTitleM);
     return;
   }
   const AdgState& state = *scene.state;
@@ -80,7 +116,7 @@ void writeMission(const Scene& scene, Writer& writer) {
   if (state.mode != AdgState::RUN) {
     title += state.mode == AdgState::PAUSE ? ", PAUSED" : ", STOPPED";
   }
-  writer.line(title, state.mode == AdgState::RUN ? white() : yellow(), 0.18);
+  writer.line(title, state.mode == AdgState::RUN ? white() : yellow(), kTitleM);
   if (!state.message.empty()) {
     writer.line(state.message, yellow());
   }
@@ -101,7 +137,8 @@ void writeMission(const Scene& scene, Writer& writer) {
 Markers robotSign() {
   return {box({}, {0.0, 0.0}, 0.20, 0.17, height::kBody, robotColor(0)),
           lineList({}, {{0.085, 0.06}, {0.085, -0.06}}, height::kBody + 0.01, 0.02,
-                   withAlpha(black(), 0.6))};
+                   withAlpha(black(), 0.6)),
+          text({}, {0.0, 0.0}, height::kText, 0.12, "0", black())};
 }
 
 Markers arrowSign(bool wait) {
@@ -120,23 +157,25 @@ void writeSigns(Writer& writer) {
     writer.sign(statusBadge("", 0, status, AgentAction::EAST), words);
   };
   writer.sign(robotSign(), "robot, its front marked");
-  writer.sign({ring({}, {0.0, 0.0}, 0.09, height::kGoal, 0.025, robotColor(0))}, "its goal");
+  writer.sign({ring({}, {0.0, 0.0}, 0.09, height::kGoal, 0.025, robotColor(0)),
+               text({}, {0.0, 0.0}, height::kText, 0.12, "0", robotColor(0))},
+              "its goal");
   writer.sign({lineStrip({}, {{-0.14, 0.0}, {0.14, 0.0}}, height::kPath, 0.018, robotColor(0))},
               "its way still to go");
-  writer.line("", white());
+  writer.gap();
   writer.sign(arrowSign(false), "to its partner");
   writer.sign(svoGauge("", 0, 0.0, 0.18), "SVO 0 deg: selfish");
   writer.sign(svoGauge("", 0, 20.0, 0.18), "SVO 20 deg");
   writer.sign(svoGauge("", 0, 45.0, 0.18), "SVO 45 deg: prosocial");
   writer.sign({text({}, {0.0, 0.0}, height::kText, kLetterM, "-", white())},
               "no SVO from this planner");
-  writer.line("", white());
+  writer.gap();
   badge(RobotStatus::Enqueued, "task ENQUEUED: drives");
   badge(RobotStatus::Staged, "task STAGED: waits");
   badge(RobotStatus::Done, "all DONE: arrived");
   badge(RobotStatus::Held, "held: paused or stopped");
   badge(RobotStatus::Fault, "fault");
-  writer.line("", white());
+  writer.gap();
   writer.sign(arrowSign(true), "waits for, and for which cell");
   writer.sign({ring({}, {0.0, 0.0}, 0.09, height::kWait, 0.03, vermillion())},
               "root cause of waits");
@@ -150,7 +189,7 @@ Markers legendMarkers(const Scene& scene) {
   }
   Writer writer(*scene.map);
   writeMission(scene, writer);
-  writer.line("", white());
+  writer.gap();
   writeSigns(writer);
   return writer.take();
 }

@@ -1,0 +1,167 @@
+#include "sylph_rviz/layers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+#include <tuple>
+
+#include "sylph_rviz/palette.hpp"
+#include "test_scene.hpp"
+
+namespace sylph_rviz {
+namespace {
+
+/// A fingerprint of a badge's sign: form and number of points.
+std::tuple<int, std::size_t> signOf(RobotStatus status) {
+  const Markers badge = statusBadge("badge", 0, status, 2);
+  return {badge.back().type, badge.back().points.size()};
+}
+
+TEST(LayersTest, GiveEachMarkerAnIdOfItsOwn) {
+  Scene scene = twoRobots();
+  scene.robots[0].execution->waiting = 1;
+  scene.robots[0].execution->waits_for_robot = "robot_1";
+  scene.robots[0].execution->root_cause_robot = "robot_1";
+  for (const Layer& layer : kLayers) {
+    std::set<std::pair<std::string, int>> ids;
+    const Markers markers = layer.draw(scene);
+    EXPECT_FALSE(markers.empty()) << layer.topic;
+    for (const Marker& marker : markers) {
+      EXPECT_TRUE(ids.emplace(marker.ns, marker.id).second)
+          << layer.topic << " " << marker.ns << " " << marker.id;
+    }
+  }
+}
+
+TEST(LayersTest, AreEmptyForAnEmptySceneAndLeaveOutWhoHasNoPose) {
+  for (const Layer& layer : kLayers) {
+    EXPECT_TRUE(layer.draw(Scene{}).empty()) << layer.topic;
+  }
+  Scene scene = twoRobots();
+  scene.robots[0].pose.reset();
+  EXPECT_EQ(nullptr, findMarker(robotMarkers(scene), "body", 0));
+  EXPECT_NE(nullptr, findMarker(robotMarkers(scene), "body", 1));
+  EXPECT_TRUE(partnerMarkers(scene).empty());
+}
+
+TEST(RobotMarkersTest, DrawTheFootprintLockedToTheRobotAndFaintWhenStale) {
+  Scene scene = twoRobots();
+  scene.robots[1].length_m = 0.5;
+  scene.robots[1].pose_is_stale = true;
+  const Markers markers = robotMarkers(scene);
+  const Marker* body = findMarker(markers, "body", 1);
+  ASSERT_NE(nullptr, body);
+  EXPECT_EQ("robot_1", body->header.frame_id);
+  EXPECT_TRUE(body->frame_locked);
+  EXPECT_DOUBLE_EQ(0.5, body->scale.x);
+  EXPECT_DOUBLE_EQ(0.2, body->scale.y);
+  EXPECT_LT(body->color.a, 0.9F);
+  EXPECT_FLOAT_EQ(1.0F, findMarker(markers, "body", 0)->color.a);
+  EXPECT_EQ("1", findMarker(markers, "name", 1)->text);
+}
+
+TEST(GoalMarkersTest, ShowTheExperimentsGoalUntilThereIsAPlan) {
+  Scene scene = twoRobots();
+  scene.robots[1].goal = sylph::Cell{0, 2};
+  EXPECT_NEAR(1.35, findMarker(goalMarkers(scene), "name", 1)->pose.position.x, 1e-9);
+  scene.state->plan_id = 0;
+  EXPECT_NEAR(0.75, findMarker(goalMarkers(scene), "name", 1)->pose.position.x, 1e-9);
+}
+
+TEST(GoalMarkersTest, HaveAnotherFormThanRobots) {
+  const Scene scene = twoRobots();
+  EXPECT_NE(findMarker(robotMarkers(scene), "body", 0)->type,
+            findMarker(goalMarkers(scene), "ring", 0)->type);
+}
+
+TEST(PathMarkersTest, LeadFromTheRobotThroughTheCellsToCome) {
+  const Markers markers = pathMarkers(twoRobots());
+  ASSERT_EQ(1U, markers.size());  // robot_1 has arrived
+  ASSERT_EQ(4U, markers[0].points.size());
+  EXPECT_NEAR(0.15, markers[0].points[0].x, 1e-9);
+  EXPECT_NEAR(0.15, markers[0].points[0].y, 1e-9);
+  EXPECT_NEAR(1.05, markers[0].points[3].y, 0.1);
+}
+
+TEST(PartnerMarkersTest, PointFromTheRobotToItsPartnerInTheColorOfTheSvo) {
+  const Markers markers = partnerMarkers(twoRobots());
+  const Marker* line = findMarker(markers, "line", 0);
+  ASSERT_NE(nullptr, line);
+  EXPECT_EQ(nullptr, findMarker(markers, "line", 1));
+  EXPECT_LT(std::abs(line->points.front().x - 0.15), std::abs(line->points.front().x - 1.35));
+  EXPECT_LT(std::abs(line->points.back().x - 1.35), std::abs(line->points.back().x - 0.15));
+  EXPECT_TRUE(line->color == svoColor(25.0));
+}
+
+TEST(SvoMarkersTest, WriteTheNumberOrADash) {
+  const Markers markers = svoMarkers(twoRobots());
+  EXPECT_EQ("25", findMarker(markers, "value", 0)->text);
+  EXPECT_EQ("-", findMarker(markers, "value", 1)->text);
+  EXPECT_EQ(nullptr, findMarker(markers, "gauge", kGaugeMarkers + 1)) << "filled without an SVO";
+}
+
+TEST(SvoGaugeTest, OpensByTheSvo) {
+  for (const double svo_deg : {5.0, 20.0, 45.0}) {
+    const Markers markers = svoGauge("gauge", 0, svo_deg, 0.2);
+    const Marker* filled = findMarker(markers, "gauge", 1);
+    ASSERT_NE(nullptr, filled);
+    double widest_deg = 0.0;
+    for (const geometry_msgs::Point& point : filled->points) {
+      widest_deg = std::max(widest_deg, std::atan2(point.y, point.x) * 180.0 / M_PI);
+    }
+    EXPECT_NEAR(svo_deg, widest_deg, 1e-9);
+  }
+  EXPECT_EQ(nullptr, findMarker(svoGauge("gauge", 0, 0.0, 0.2), "gauge", 1));
+}
+
+TEST(StatusBadgeTest, HasAFormOfItsOwnForEachStatus) {
+  const std::set<std::tuple<int, std::size_t>> forms = {
+      signOf(RobotStatus::Enqueued), signOf(RobotStatus::Staged), signOf(RobotStatus::Done),
+      signOf(RobotStatus::Held), signOf(RobotStatus::Unknown)};
+  EXPECT_EQ(5U, forms.size());
+  const Markers held = statusBadge("badge", 0, RobotStatus::Held, 0);
+  const Markers fault = statusBadge("badge", 0, RobotStatus::Fault, 0);
+  EXPECT_FALSE(held.back().points == fault.back().points);
+}
+
+TEST(StatusBadgeTest, PointsTheWayThatTheTaskDrives) {
+  const auto tip = [](std::uint8_t action) {
+    return statusBadge("badge", 0, RobotStatus::Enqueued, action).back().points.front();
+  };
+  EXPECT_GT(tip(1).y, 0.01);   // north
+  EXPECT_GT(tip(2).x, 0.01);   // east
+  EXPECT_LT(tip(3).y, -0.01);  // south
+  EXPECT_LT(tip(4).x, -0.01);  // west
+}
+
+TEST(WaitMarkersTest, ShowWhoWaitsForWhomAndTheRootCause) {
+  Scene scene = twoRobots();
+  sylph_msgs::RobotExecution& robot = *scene.robots[0].execution;
+  EXPECT_TRUE(waitMarkers(scene).empty());
+  robot.waiting = 1;
+  robot.waits_for_robot = "robot_1";
+  robot.waiting_since_s = 2.6;
+  robot.root_cause_robot = "robot_1";
+  robot.root_cause = "stuck";
+  robot.waits_for_cell.row = 1;
+  const Markers markers = waitMarkers(scene);
+  ASSERT_NE(nullptr, findMarker(markers, "line", 0));
+  ASSERT_NE(nullptr, findMarker(markers, "cell", 0));
+  EXPECT_EQ("3 s", findMarker(markers, "time", 0)->text);
+  EXPECT_EQ("robot_1", findMarker(markers, "root_cause", 1)->header.frame_id);
+  EXPECT_EQ("holds up 1: stuck", findMarker(markers, "root_cause_text", 1)->text);
+}
+
+TEST(LegendMarkersTest, StandBesideTheMapAndCountTheArrived) {
+  const Markers markers = legendMarkers(twoRobots());
+  bool counted = false;
+  for (const Marker& marker : markers) {
+    EXPECT_GT(marker.pose.position.x, 1.5) << marker.ns << marker.id;
+    counted = counted || marker.text == "1 of 2 arrived";
+  }
+  EXPECT_TRUE(counted);
+}
+
+}  // namespace
+}  // namespace sylph_rviz

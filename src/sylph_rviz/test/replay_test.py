@@ -1,0 +1,74 @@
+#!/usr/bin/env python3
+"""replay.launch: shows a bag with nothing else running, and moves no robot."""
+import os
+import subprocess
+import tempfile
+import time
+import unittest
+
+import roslib.packages
+import rospy
+import rostest
+import small_run
+from geometry_msgs.msg import Twist
+from sylph_report.ros_tools import find_program
+from visualization_msgs.msg import Marker, MarkerArray
+
+LAUNCH = os.path.join(roslib.packages.get_pkg_dir("sylph_rviz"), "../../launch/replay.launch")
+REPLAY = find_program("sylph_rviz", "replay_run")
+DEADLINE_S = 40.0
+
+
+class ReplayTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.bag = os.path.join(folder.name, "run.bag")
+
+    def test_draws_the_run_and_plays_nothing_that_a_robot_obeys(self):
+        small_run.write_bag(self.bag)
+        bodies = set()
+        rospy.Subscriber("/sylph/markers/robots", MarkerArray, lambda message: bodies.update(
+            m.header.frame_id for m in message.markers if m.ns == "body" and m.action == Marker.ADD
+        ))  # fmt: skip
+        launch = subprocess.Popen(
+            ["roslaunch", LAUNCH, f"bag:={self.bag}", "rviz:=false", "exit_when_done:=true"]
+        )
+        published = set()
+        deadline = time.monotonic() + DEADLINE_S
+        while launch.poll() is None and time.monotonic() < deadline:
+            published.update(topic for topic, _ in rospy.get_published_topics())
+            time.sleep(0.1)
+        self.assertIsNotNone(launch.poll(), "ends with the bag")
+        self.assertEqual(bodies, set(small_run.ROBOTS))
+        self.assertIn("/robot_0/pose", published)
+        forbidden = [t for t in published if t.rsplit("/", 1)[-1] in ("cmd_vel", "task", "task_report")]
+        self.assertEqual(forbidden, [])
+
+    def assert_refused(self, reason):
+        result = subprocess.run([REPLAY, self.bag], capture_output=True, text=True, timeout=DEADLINE_S,
+                                check=False)  # fmt: skip
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        self.assertIn(reason, result.stderr)
+
+    def test_refuses_where_a_live_robot_could_hear_it(self):
+        small_run.write_bag(self.bag)
+        live = rospy.Publisher("/robot_0/cmd_vel", Twist, queue_size=1)
+        self.assert_refused("a live system is on this ROS master")
+        live.unregister()
+
+    def test_refuses_a_bag_that_is_missing_broken_or_of_something_else(self):
+        self.assert_refused("no such bag")
+        with open(self.bag, "w", encoding="utf-8") as file:
+            file.write("no bag")
+        self.assert_refused("not a readable bag")
+        topics = ["/map", "/sylph/joint_actions", "/sylph/adg_state", "/sylph/separation"]
+        topics += [f"/{name}/pose" for name in small_run.ROBOTS]
+        small_run.write_bag(self.bag, leave_out=topics)
+        self.assert_refused("has none of the topics of a run")
+
+
+if __name__ == "__main__":
+    rospy.init_node("replay_test")
+    rostest.rosrun("sylph_rviz", "replay", ReplayTest)

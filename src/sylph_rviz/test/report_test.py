@@ -1,0 +1,76 @@
+#!/usr/bin/env python3
+"""The command sylph_report."""
+import os
+import subprocess
+import tempfile
+import unittest
+
+import rosunit
+import small_run
+from sylph_report.ros_tools import find_program
+
+REPORT = find_program("sylph_rviz", "sylph_report")
+
+
+def report(folder):
+    return subprocess.run([REPORT, folder], capture_output=True, text=True, check=False)
+
+
+class ReportTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+
+    def path(self, *names):
+        return os.path.join(self.folder.name, *names)
+
+    def test_writes_a_page_with_all_figures(self):
+        small_run.write_folder(self.folder.name)
+        result = report(self.folder.name)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        with open(self.path("report", "report.html"), encoding="utf-8") as file:
+            page = file.read()
+        for figure in ("progress", "waiting", "separation", "social", "tracking"):
+            self.assertIn(f'src="{figure}.png"', page)
+            self.assertGreater(os.path.getsize(self.path("report", f"{figure}.png")), 1000)
+        self.assertIn("min_separation_m", page)
+
+    def test_reports_what_is_there_and_names_in_one_line_what_is_missing(self):
+        with open(self.path("result.yaml"), "w", encoding="utf-8") as file:
+            file.write("success: false\n")
+        result = report(self.folder.name)
+        self.assertEqual(result.returncode, 0)
+        lines = [line for line in result.stderr.splitlines() if "run.bag" in line]
+        self.assertEqual(len(lines), 1)
+        self.assertIn("missing", lines[0])
+        self.assertTrue(os.path.isfile(self.path("report", "report.html")))
+
+    def test_leaves_out_the_figure_whose_topic_is_missing(self):
+        small_run.write_bag(self.path("run.bag"), leave_out=["/sylph/separation"])
+        result = report(self.folder.name)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("run.bag: has no /sylph/separation", result.stderr)
+        self.assertFalse(os.path.exists(self.path("report", "separation.png")))
+        self.assertTrue(os.path.exists(self.path("report", "progress.png")))
+
+    def assert_refused(self, result, reason):
+        self.assertEqual(result.returncode, 2)
+        self.assertNotIn("Traceback", result.stderr)
+        self.assertIn(reason, result.stderr)
+
+    def test_refuses_a_folder_without_a_run(self):
+        self.assert_refused(report(self.folder.name), "has neither run.bag")
+        self.assert_refused(report(self.path("nowhere")), "no such folder")
+
+    def test_says_so_when_files_are_broken(self):
+        for name in ("run.bag", "result.yaml", "events.jsonl"):
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write("{ broken: [")
+        result = report(self.folder.name)
+        self.assert_refused(result, "not a readable bag")
+        self.assertIn("not YAML", result.stderr)
+        self.assertIn("not JSON", result.stderr)
+
+
+if __name__ == "__main__":
+    rosunit.unitrun("sylph_rviz", "report", ReportTest)

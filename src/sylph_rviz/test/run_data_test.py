@@ -1,0 +1,41 @@
+#!/usr/bin/env python3
+"""What the report reads from a run folder."""
+import tempfile
+import unittest
+
+import rosunit
+import small_run
+from sylph_report import run_data
+
+
+class RunDataTest(unittest.TestCase):
+    def setUp(self):
+        self.folder = tempfile.TemporaryDirectory()
+        self.addCleanup(self.folder.cleanup)
+        small_run.write_folder(self.folder.name)
+        self.run_data = run_data.load(self.folder.name)
+
+    def test_counts_cells_from_the_first_task_on(self):
+        robot = self.run_data.robots["robot_0"]
+        self.assertAlmostEqual(robot.time_s[0], 0.0)
+        self.assertEqual(robot.cells_done[0], 0)
+        self.assertEqual(robot.cells_done[-1], 3)
+
+    def test_spreads_the_plan_over_its_shortest_time(self):
+        robot = self.run_data.robots["robot_1"]
+        self.assertEqual(robot.planned_cells, [0, 1, 2, 3])
+        for planned_s, expected_s in zip(robot.planned_time_s, [0.0, 1.0, 2.0, 3.0]):
+            self.assertAlmostEqual(planned_s, expected_s)
+
+    def test_sums_waits_by_cause_and_not_by_the_numbers_in_its_words(self):
+        self.assertEqual(run_data.waiting_by_cause(self.run_data.robots["robot_0"]), {})
+        causes = run_data.waiting_by_cause(self.run_data.robots["robot_1"])
+        self.assertEqual(list(causes), [("robot_0", "silent for ... s")])
+        self.assertAlmostEqual(causes[("robot_0", "silent for ... s")], 1.0, places=3)
+
+    def test_says_nothing_is_missing(self):
+        self.assertEqual(self.run_data.missing, [])
+
+
+if __name__ == "__main__":
+    rosunit.unitrun("sylph_rviz", "run_data", RunDataTest)

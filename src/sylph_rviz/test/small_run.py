@@ -1,0 +1,97 @@
+"""A run of two robots, made by hand: both drive three cells east, robot_1 waits for robot_0."""
+import math
+import os
+
+import rosbag
+import rospy
+from geometry_msgs.msg import PoseStamped, Twist
+from nav_msgs.msg import OccupancyGrid
+from sylph_msgs.msg import (
+    AdgState,
+    AgentAction,
+    Cell,
+    JointAction,
+    RobotExecution,
+    SeparationState,
+    Task,
+    TaskReport,
+)
+
+ROBOTS = ["robot_0", "robot_1"]
+START_S = 100.0
+SECONDS = 4
+
+
+def adg_state(time_s):
+    """Robot 0 is done after 3 s, robot 1 waits for it in the second second."""
+    state = AdgState(plan_id=1, phase=AdgState.EXECUTING, steps=3, steps_received=3)
+    state.header.frame_id = "map"
+    for index, name in enumerate(ROBOTS):
+        robot = RobotExecution(robot_id=name, tasks_total=3, svo_deg=15.0 * index)
+        robot.tasks_done = min(3, int(time_s))
+        robot.cell = Cell(index, robot.tasks_done)
+        robot.goal = Cell(index, 3)
+        robot.partner = ROBOTS[1 - index]
+        state.robots.append(robot)
+    state.robots[0].svo_deg = math.nan
+    if 1.0 <= time_s < 2.0:
+        state.robots[1].waiting = True
+        state.robots[1].waits_for_robot = ROBOTS[0]
+        state.robots[1].root_cause_robot = ROBOTS[0]
+        state.robots[1].root_cause = f"silent for {time_s:.1f} s"
+    return state
+
+
+def joint_action(step):
+    action = JointAction(plan_id=1, step=step, steps=3)
+    for name in ROBOTS:
+        action.agents.append(AgentAction(robot=name, action=AgentAction.EAST))
+    return action
+
+
+def pose(index, time_s):
+    message = PoseStamped()
+    message.header.frame_id = "map"
+    message.pose.position.x = 0.15 + 0.3 * min(3.0, time_s)
+    message.pose.position.y = 0.45 - 0.3 * index
+    message.pose.orientation.w = 1.0
+    return message
+
+
+def write_bag(path, leave_out=()):
+    """Writes the run's bag. Topics in `leave_out` are missing."""
+    with rosbag.Bag(path, "w") as bag:
+
+        def write(topic, message, time_s):
+            if topic not in leave_out:
+                bag.write(topic, message, rospy.Time.from_sec(START_S + time_s))
+
+        grid = OccupancyGrid(data=[0] * 8)
+        grid.info.width, grid.info.height, grid.info.resolution = 4, 2, 0.3
+        write("/map", grid, 0.0)
+        for step in range(3):
+            write("/sylph/joint_actions", joint_action(step), 0.01 * step)
+        for tick in range(10 * SECONDS):
+            time_s = 0.1 * tick
+            write("/sylph/adg_state", adg_state(time_s), time_s)
+            gap = SeparationState(separation_m=0.1 + 0.01 * (tick % 5), limit_m=0.03)
+            write("/sylph/separation", gap, time_s)
+            for index, name in enumerate(ROBOTS):
+                write(f"/{name}/pose", pose(index, time_s), time_s)
+                report = TaskReport(robot_id=name, tracking_error_m=0.002 * (index + 1))
+                write(f"/{name}/task_report", report, time_s)
+                write(f"/{name}/task", Task(robot_id=name), time_s)
+                write(f"/{name}/cmd_vel", Twist(), time_s)
+
+
+def write_folder(folder):
+    """A whole run folder."""
+    write_bag(os.path.join(folder, "run.bag"))
+    files = {
+        "result.yaml": "success: true\nrobots: 2\nmin_separation_m: 0.1\n",
+        "events.jsonl": '{"event": "start"}\n{"event": "end"}\n',
+        "experiment.yaml": "cell_size_m: 0.3\nexecution: {speed_limit_mps: 0.3}\n",
+    }
+    for name, content in files.items():
+        with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+            file.write(content)
