@@ -84,8 +84,10 @@ Markers svoMarkers(const Scene& scene) {
     for (Marker& part : svoGauge("gauge", kGaugeMarkers * id, svo_deg, kGaugeRadiusM)) {
       markers.push_back(attach(std::move(part), robot));
     }
+    const double letter_m = std::isfinite(svo_deg) ? 0.12 : 0.20;  // a dash is small
     markers.push_back(attach(
-        text({"value", id}, {0.10, 0.16}, height::kText, 0.12, svoText(svo_deg), white()), robot));
+        text({"value", id}, {0.05, 0.165}, height::kText, letter_m, svoText(svo_deg), white()),
+        robot));
   }
   return markers;
 }
