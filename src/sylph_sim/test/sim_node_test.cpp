@@ -150,7 +150,7 @@ TEST_F(SimNodeTest, TheCamerasShowTheRobotsByName) {
   ASSERT_TRUE(frame.has_value());
   ASSERT_EQ(2U, frame->rigid_bodies.size());
   EXPECT_EQ(definitions->rigid_bodies[0].id, frame->rigid_bodies[0].id);
-  // y up, as the shipped configuration says.
+  // y up, as the launch file says.
   EXPECT_NEAR(truth_->poses[0].x, frame->rigid_bodies[0].position_m[0], 0.01);
   EXPECT_NEAR(-truth_->poses[0].y, frame->rigid_bodies[0].position_m[2], 0.01);
   EXPECT_TRUE(frame->rigid_bodies[0].tracked);

@@ -21,7 +21,7 @@ struct NatNetOptions {
   int data_port = 1511;                               ///< 0 ... 65535, 0: any free one
   bool multicast = false;  ///< to the group, else to each client by itself
   sylph_natnet::Ipv4Address multicast_group{{239, 255, 42, 99}};
-  UpAxis up_axis = UpAxis::Y;
+  UpAxis up_axis = UpAxis::Z;
   double body_height_m = 0.12;  ///< of the rigid bodies above the floor
 };
 
