@@ -1,0 +1,41 @@
+#pragma once
+
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/node_handle.h>
+#include <ros/subscriber.h>
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sylph_core/experiment/experiment.hpp"
+#include "sylph_mocap_bridge/frame_stamper.hpp"
+#include "sylph_mocap_bridge/measurement_input.hpp"
+
+namespace sylph_mocap_bridge {
+
+/// Name of the topic: `{rigid_body}` and `{robot}` in the pattern are replaced, and what a topic's
+/// name may not hold becomes an underscore, as drivers do it.
+std::string poseTopic(const std::string& pattern, const sylph::RobotSpec& robot);
+
+/// Measurements from the PoseStamped topics of another driver, vrpn_client_ros for one. The
+/// protocol behind has no flag for lost bodies: they fall silent.
+class PoseTopicsInput : public MeasurementInput {
+ public:
+  /// @param sink  must outlive the input
+  PoseTopicsInput(ros::NodeHandle& nh, const std::string& pattern, StampPolicy stamp,
+                  const std::vector<sylph::RobotSpec>& robots, MeasurementSink& sink);
+
+  Finding look(diagnostic_updater::DiagnosticStatusWrapper& report) override;
+
+ private:
+  void onPose(const geometry_msgs::PoseStamped& message, std::size_t robot);
+
+  StampPolicy stamp_;
+  MeasurementSink& sink_;
+  std::vector<std::uint64_t> new_messages_;  ///< of each robot, since the last look
+  double last_now_s_ = 0.0;
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+}  // namespace sylph_mocap_bridge

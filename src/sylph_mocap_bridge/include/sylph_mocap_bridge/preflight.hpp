@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_natnet/client.hpp"
+
+namespace sylph_mocap_bridge {
+
+/// What is known of the way from the cameras to the robots' poses.
+struct LinkStatus {
+  sylph_natnet::ClientOptions client;
+  std::optional<sylph_natnet::Ipv4Address> local_address;  ///< from which the server is reached
+  std::optional<sylph_natnet::ServerInfo> server;
+  std::optional<sylph_natnet::Version> version;
+  sylph_natnet::ClientStatistics statistics;  ///< since the start
+  std::uint64_t new_frames = 0;               ///< since the last look
+  std::uint64_t new_parse_errors = 0;         ///< since the last look
+  std::uint64_t new_foreign = 0;              ///< since the last look
+  std::size_t bodies_in_frame = 0;            ///< rigid bodies in the last frame
+  std::vector<std::string> missing;           ///< robots' bodies that the server does not have
+  std::vector<std::string> ambiguous;         ///< robots' bodies that it has more than once
+  std::vector<std::string> offered;           ///< all bodies that it has
+};
+
+enum class Severity { Ok, Warning, Error };
+
+struct Finding {
+  Severity severity = Severity::Ok;
+  std::string text;  ///< what is wrong and what to do about it, one line
+};
+
+/// The first thing that is wrong on the way from the cameras, from wrong network over streaming
+/// switched off and wrong mode to wrong names.
+Finding preflight(const LinkStatus& status);
+
+}  // namespace sylph_mocap_bridge

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "sylph_mocap_bridge/body_tracker.hpp"
+#include "sylph_mocap_bridge/frame_transform.hpp"
+
+namespace sylph_mocap_bridge {
+
+struct TracksOptions {
+  UpAxis up_axis = UpAxis::Z;
+  PlanarPose map_from_mocap;                ///< where the cameras' origin lies on the map
+  std::vector<PlanarPose> body_from_robot;  ///< of each robot
+  double largest_age_s = 0.5;               ///< an older pose is stale, > 0
+  TrackerOptions tracker;
+};
+
+/// A pose as it came from the cameras.
+struct Measurement {
+  std::size_t robot = 0;
+  bool tracked = true;
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
+  Eigen::Vector4d orientation_xyzw{0.0, 0.0, 0.0, 1.0};
+  double time_s = 0.0;   ///< of the exposure, by the cameras' clock
+  double stamp_s = 0.0;  ///< of the exposure, by the local clock
+};
+
+/// A pose to rely on.
+struct RobotState {
+  std::size_t robot = 0;
+  double stamp_s = 0.0;
+  Pose map_from_robot;
+  std::optional<Velocity> velocity;
+};
+
+/// What became of a robot's measurements since the start.
+struct TrackCounts {
+  std::uint64_t good = 0;
+  std::uint64_t untracked = 0;  ///< not seen by the cameras
+  std::uint64_t malformed = 0;  ///< not finite, or no rotation
+  std::uint64_t stale = 0;      ///< too old
+  std::uint64_t unordered = 0;  ///< not newer than the one before
+  double last_stamp_s = 0.0;    ///< of the last good one
+  double last_age_s = 0.0;      ///< of the last good one when it came
+};
+
+/// Turns measurements into poses in the map and lets no bad one through.
+class RobotTracks {
+ public:
+  explicit RobotTracks(const TracksOptions& options);
+
+  /// @param now_s  local clock
+  /// @return nothing if the measurement is not to be relied on
+  std::optional<RobotState> update(const Measurement& measurement, double now_s);
+
+  /// The clocks began anew: earlier stamps and velocities mean nothing.
+  void reset();
+
+  const std::vector<TrackCounts>& counts() const { return counts_; }
+
+ private:
+  TracksOptions options_;
+  FrameTransform transform_;
+  std::vector<BodyTracker> trackers_;
+  std::vector<TrackCounts> counts_;
+};
+
+}  // namespace sylph_mocap_bridge

@@ -1,0 +1,130 @@
+#include "sylph_mocap_bridge/mocap_bridge_node.hpp"
+
+#include <ros/console.h>
+
+#include <algorithm>
+
+#include "sylph_mocap_bridge/natnet_input.hpp"
+#include "sylph_mocap_bridge/pose_topics_input.hpp"
+#include "sylph_ros/experiment.hpp"
+
+namespace sylph_mocap_bridge {
+namespace {
+
+using diagnostic_msgs::DiagnosticStatus;
+
+constexpr double kDiagnosticsPeriodS = 1.0;
+/// A body that is seen less than this share of the time is worth a warning.
+constexpr double kGoodRatio = 0.95;
+
+unsigned char levelOf(Severity severity) {
+  switch (severity) {
+    case Severity::Ok:
+      return DiagnosticStatus::OK;
+    case Severity::Warning:
+      return DiagnosticStatus::WARN;
+    case Severity::Error:
+      break;
+  }
+  return DiagnosticStatus::ERROR;
+}
+
+std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const sylph::RobotSpec& robot : experiment.robots) {
+    names.push_back(robot.name);
+  }
+  return names;
+}
+
+std::uint64_t badOf(const TrackCounts& counts) {
+  return counts.untracked + counts.malformed + counts.stale + counts.unordered;
+}
+
+}  // namespace
+
+MocapBridgeNode::MocapBridgeNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
+    : nh_(std::move(nh)),
+      experiment_(sylph_ros::loadExperiment(private_nh)),
+      options_(loadOptions(private_nh, experiment_)),
+      tracks_(options_.tracks),
+      publishers_(nh_, namesOf(experiment_), options_.rates, options_.tracks.tracker),
+      seen_counts_(experiment_.robots.size()),
+      input_(makeInput()),
+      updater_(nh_, private_nh) {
+  updater_.setHardwareID("motion capture");
+  updater_.add("link", this, &MocapBridgeNode::reportLink);
+  updater_.add("bodies", this, &MocapBridgeNode::reportBodies);
+  diagnostics_timer_ =
+      nh_.createSteadyTimer(ros::WallDuration(kDiagnosticsPeriodS),
+                            [this](const ros::SteadyTimerEvent&) { updater_.force_update(); });
+}
+
+std::unique_ptr<MeasurementInput> MocapBridgeNode::makeInput() {
+  if (options_.input == Input::PoseTopics) {
+    return std::make_unique<PoseTopicsInput>(nh_, options_.pose_topic, options_.stamp,
+                                             experiment_.robots, *this);
+  }
+  std::vector<std::string> rigid_bodies;
+  for (const sylph::RobotSpec& robot : experiment_.robots) {
+    rigid_bodies.push_back(robot.rigid_body);
+  }
+  return std::make_unique<NatnetInput>(options_.client, options_.stamp, rigid_bodies,
+                                       ros::Time::isSimTime(), *this);
+}
+
+void MocapBridgeNode::onMeasurements(const std::vector<Measurement>& measurements, double now_s) {
+  std::vector<RobotState> states;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const Measurement& measurement : measurements) {
+      if (const auto state = tracks_.update(measurement, now_s)) {
+        states.push_back(*state);
+      }
+    }
+  }
+  publishers_.publish(states);
+}
+
+void MocapBridgeNode::onRestart() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  tracks_.reset();
+}
+
+void MocapBridgeNode::reportLink(diagnostic_updater::DiagnosticStatusWrapper& report) {
+  const Finding finding = input_->look(report);
+  report.summary(levelOf(finding.severity), finding.text);
+  if (finding.text != last_finding_) {
+    last_finding_ = finding.text;
+    if (finding.severity == Severity::Ok) {
+      ROS_INFO("motion capture: %s", finding.text.c_str());
+    } else {
+      ROS_WARN("motion capture: %s", finding.text.c_str());
+    }
+  }
+}
+
+void MocapBridgeNode::reportBodies(diagnostic_updater::DiagnosticStatusWrapper& report) {
+  std::vector<TrackCounts> counts;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    counts = tracks_.counts();
+  }
+  report.summary(DiagnosticStatus::OK, "all bodies are seen");
+  for (std::size_t robot = 0; robot < counts.size(); ++robot) {
+    const std::string& name = experiment_.robots[robot].name;
+    const auto good = static_cast<double>(counts[robot].good - seen_counts_[robot].good);
+    const auto bad = static_cast<double>(badOf(counts[robot]) - badOf(seen_counts_[robot]));
+    const double ratio = good > 0.0 ? good / (good + bad) : 0.0;
+    report.add(name + " valid ratio", ratio);
+    report.add(name + " pose age [s]", counts[robot].last_age_s);
+    if (good <= 0.0) {
+      report.mergeSummary(DiagnosticStatus::ERROR, name + " is not seen");
+    } else if (ratio < kGoodRatio) {
+      report.mergeSummary(DiagnosticStatus::WARN, name + " is lost at times");
+    }
+  }
+  seen_counts_ = counts;
+}
+
+}  // namespace sylph_mocap_bridge

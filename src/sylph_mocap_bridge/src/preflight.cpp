@@ -1,0 +1,117 @@
+#include "sylph_mocap_bridge/preflight.hpp"
+
+namespace sylph_mocap_bridge {
+namespace {
+
+using sylph_natnet::Endpoint;
+using sylph_natnet::toString;
+
+std::string join(const std::vector<std::string>& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text.empty() ? "none" : text;
+}
+
+std::string groupOf(const sylph_natnet::ServerInfo& server) {
+  return toString(Endpoint{server.multicast_group, server.data_port});
+}
+
+Finding noServer(const LinkStatus& status) {
+  const std::string server = toString(Endpoint{status.client.server, status.client.command_port});
+  if (!status.local_address) {
+    return {Severity::Error, "no network leads to the server " + server +
+                                 ": check server_address and this computer's network settings"};
+  }
+  if (status.new_foreign > 0) {
+    return {Severity::Error, "data come from " + toString(status.statistics.last_foreign) +
+                                 ", not from server_address " + toString(status.client.server) +
+                                 ": set server_address to the former"};
+  }
+  std::string text =
+      "no answer from " + server + " (asked from " + toString(*status.local_address) + "): ";
+  if (status.new_frames > 0) {
+    text +=
+        "frames do come, so the address is right; check command_port and the server's firewall "
+        "(UDP), or set bitstream by hand";
+  } else {
+    text +=
+        "is the server running with streaming on, its local interface set to the network that "
+        "this computer is in (not loopback), and UDP open in its firewall? In the same "
+        "network, the two addresses begin alike";
+  }
+  return {Severity::Error, text};
+}
+
+Finding noFrames(const LinkStatus& status) {
+  const sylph_natnet::ServerInfo& server = *status.server;
+  const bool knows_mode = server.data_port != 0;
+  if (knows_mode && server.is_multicast && !status.client.multicast) {
+    return {Severity::Error, "the server streams multicast to " + groupOf(server) +
+                                 ": set transport to multicast here, or to unicast there"};
+  }
+  if (knows_mode && !server.is_multicast && status.client.multicast) {
+    return {Severity::Error,
+            "the server streams unicast: set transport to unicast here, or to multicast there"};
+  }
+  if (knows_mode && server.is_multicast &&
+      (server.multicast_group != status.client.multicast_group ||
+       server.data_port != status.client.data_port)) {
+    return {Severity::Error, "the server streams to " + groupOf(server) +
+                                 ": set multicast_group and data_port to these"};
+  }
+  std::string text =
+      "the server answers but sends no frames: is streaming on and the take live, "
+      "not paused in edit mode?";
+  if (status.client.multicast) {
+    text +=
+        " If so, multicast is lost on the way: set local_interface to this computer's address "
+        "in the cameras' network, use a cable, or use unicast";
+  }
+  return {Severity::Error, text};
+}
+
+Finding wrongNames(const LinkStatus& status) {
+  if (!status.ambiguous.empty()) {
+    return {Severity::Error, "more than one rigid body is called " + join(status.ambiguous) +
+                                 ": give each a name and an id of its own"};
+  }
+  if (status.offered.empty()) {
+    return {Severity::Error,
+            "frames come but no rigid body is defined: create the robots' rigid bodies in the "
+            "server and switch on the streaming of rigid bodies"};
+  }
+  return {Severity::Error, "no rigid body is called " + join(status.missing) +
+                               "; the server has: " + join(status.offered)};
+}
+
+}  // namespace
+
+Finding preflight(const LinkStatus& status) {
+  if (!status.version) {
+    return noServer(status);
+  }
+  if (status.new_parse_errors > 0) {
+    return {Severity::Error, "frames are not what bitstream " + toString(*status.version) +
+                                 " says (" + status.statistics.last_error +
+                                 "): set bitstream to the version that the server streams"};
+  }
+  if (status.new_frames == 0) {
+    return status.server ? noFrames(status) : noServer(status);
+  }
+  if (!status.ambiguous.empty() || !status.missing.empty()) {
+    return wrongNames(status);
+  }
+  if (status.bodies_in_frame == 0) {
+    return {Severity::Error,
+            "frames come without rigid bodies: switch on the streaming of rigid bodies"};
+  }
+  if (status.new_foreign > 0) {
+    return {Severity::Warning, "a second server, " + toString(status.statistics.last_foreign) +
+                                   ", sends too; its data are ignored"};
+  }
+  return {Severity::Ok, "frames come, all bodies are known"};
+}
+
+}  // namespace sylph_mocap_bridge

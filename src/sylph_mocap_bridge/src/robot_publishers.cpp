@@ -1,0 +1,47 @@
+#include "sylph_mocap_bridge/robot_publishers.hpp"
+
+#include <geometry_msgs/PoseStamped.h>
+#include <nav_msgs/Odometry.h>
+
+#include "sylph_mocap_bridge/conversions.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_mocap_bridge {
+namespace {
+
+constexpr std::uint32_t kQueueSize = 10;
+
+}  // namespace
+
+RobotPublishers::RobotPublishers(ros::NodeHandle& nh, const std::vector<std::string>& robots,
+                                 const PublishRates& rates, const TrackerOptions& noise)
+    : noise_(noise) {
+  for (const std::string& name : robots) {
+    const std::string prefix = "/" + name + "/";
+    robots_.push_back(
+        {name, nh.advertise<geometry_msgs::PoseStamped>(prefix + sylph_ros::kPoseTopic, kQueueSize),
+         nh.advertise<nav_msgs::Odometry>(prefix + sylph_ros::kOdometryTopic, kQueueSize),
+         RateGate(rates.pose_hz), RateGate(rates.odom_hz), RateGate(rates.tf_hz)});
+  }
+}
+
+void RobotPublishers::publish(const std::vector<RobotState>& states) {
+  std::vector<geometry_msgs::TransformStamped> transforms;
+  for (const RobotState& state : states) {
+    Robot& robot = robots_.at(state.robot);
+    if (robot.pose_gate.passes(state.stamp_s)) {
+      robot.pose.publish(toPoseStamped(state));
+    }
+    if (state.velocity && robot.odometry_gate.passes(state.stamp_s)) {
+      robot.odometry.publish(toOdometry(state, robot.name, noise_));
+    }
+    if (robot.tf_gate.passes(state.stamp_s)) {
+      transforms.push_back(toTransform(state, robot.name));
+    }
+  }
+  if (!transforms.empty()) {
+    broadcaster_.sendTransform(transforms);
+  }
+}
+
+}  // namespace sylph_mocap_bridge
