@@ -1,0 +1,54 @@
+#pragma once
+
+#include <deque>
+
+#include "sylph_core/control/motion.hpp"
+
+namespace sylph {
+
+/// Pose and velocity at one moment.
+struct MotionState {
+  Pose2d pose;
+  Twist2d twist_map;  ///< velocity along the axes of the map
+};
+
+/// How a base answers to commands.
+struct BaseModel {
+  double latency_s = 0.05;  ///< from sending a command until the wheels begin to follow it, >= 0
+  double lag_s = 0.1;       ///< time constant with which the speed then follows, >= 0
+};
+
+/// Where a robot is now, from where it was when the cameras saw it and from what it was told since.
+///
+/// Model of the base, with u the commands in the map frame and v its velocity:
+///
+///     lag dv/dt = u(t - latency) - v
+///
+/// solved exactly between commands. So a delay costs no phase in the control loop as far as the
+/// model holds (Smith 1957, "Closer control of loops with dead time").
+class PosePredictor {
+ public:
+  /// @throws std::invalid_argument if latency or lag is negative or not finite
+  explicit PosePredictor(const BaseModel& model);
+
+  /// Tells of a command sent at `time_s`; times must not decrease.
+  void command(double time_s, const Twist2d& twist_map);
+
+  /// The state at `time_s`, from a pose captured at `captured_s`.
+  /// Commands older than 1 s count as having lasted for ever.
+  MotionState predict(const Pose2d& captured, double captured_s, double time_s) const;
+
+ private:
+  struct Command {
+    double effective_s;
+    Twist2d twist_map;
+  };
+
+  void forgetBefore(double time_s);
+
+  BaseModel model_;
+  std::deque<Command> commands_;  // oldest first
+  Twist2d twist_map_;             // of the base when the oldest command takes effect
+};
+
+}  // namespace sylph

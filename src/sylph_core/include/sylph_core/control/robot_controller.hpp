@@ -1,0 +1,97 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "sylph_core/control/arrival.hpp"
+#include "sylph_core/control/path_follower.hpp"
+#include "sylph_core/control/pose_predictor.hpp"
+#include "sylph_core/control/pose_watch.hpp"
+#include "sylph_core/control/robot_supervisor.hpp"
+#include "sylph_core/control/task_queue.hpp"
+#include "sylph_core/control/twist_limiter.hpp"
+#include "sylph_core/grid/cell_frame.hpp"
+
+namespace sylph {
+
+struct RobotControllerOptions {
+  double period_s = 0.02;               ///< of update(), > 0
+  double stop_deceleration_mps2 = 1.0;  ///< of a ramp to zero, > 0
+  double cell_margin_m = 0.012;         ///< by which a robot may leave its cells unnoticed, >= 0
+  int arrival_poses = 2;                ///< in a row that show an arrival, > 0
+  BaseModel base;
+  TwistLimits limits;
+  FollowerOptions follower;
+  ArrivalOptions arrival;
+  PoseWatchOptions watch;
+  SupervisorLimits supervisor;
+};
+
+/// What others wait for: worth telling at once.
+struct RobotProgress {
+  RobotState state = RobotState::Holding;
+  std::uint32_t plan_id = 0;
+  int accepted = 0;
+  int done = 0;
+};
+
+/// What a robot tells about itself, see TaskReport.msg.
+struct RobotStatus : RobotProgress {
+  std::string detail;
+  Pose2d pose;                    ///< the last good one; zeros before the first
+  double tracking_error_m = 0.0;  ///< from the planned segment
+  double heading_error_rad = 0.0;
+  double pose_age_s = 0.0;  ///< infinite before the first
+};
+
+/// A robot: tasks and poses in, velocity and arrivals out. Every time is in seconds of one steady
+/// clock.
+class RobotController {
+ public:
+  /// @throws std::invalid_argument if an option is out of its bounds
+  RobotController(const RobotControllerOptions& options, const Grid& grid, const CellFrame& frame);
+
+  TaskAnswer onTask(const AssignedTask& task, double now_s);
+  PoseVerdict onPose(const TimedPose& pose);
+  void onCentralState(CentralMode mode, double now_s);
+  void onEmergencyStop(bool is_pressed) { emergency_.onEmergencyStop(is_pressed); }
+
+  /// The velocity to command now [robot frame].
+  Twist2d update(double now_s);
+
+  /// The velocity while the node goes down: a ramp to zero.
+  Twist2d rampDown(double now_s);
+
+  /// As of the last event; the state as of the last update().
+  RobotProgress progress() const;
+  RobotStatus status(double now_s) const;
+
+ private:
+  RobotSituation situation(double now_s) const;
+  bool isDisplaced() const;
+  Whereabouts whereabouts(double now_s) const;
+  void followTasks();
+  int lastWaypoint(Permission permission);
+  int reachedWaypoint() const { return tasks_.done() - first_task_; }
+  Twist2d send(const Twist2d& command_map, double now_s);
+  double stepTo(double now_s);
+
+  RobotControllerOptions options_;
+  CellFrame frame_;
+  TaskQueue tasks_;
+  PoseWatch watch_;
+  PosePredictor predictor_;
+  PathFollower follower_;
+  TwistLimiter limiter_;
+  EmergencyLatch emergency_;
+  CentralMode mode_ = CentralMode::Run;
+  std::optional<double> central_heard_s_;
+  std::optional<double> updated_s_;
+  std::optional<int> finish_waypoint_;  // where to stop while the central node is silent
+  std::uint32_t followed_plan_ = 0;
+  int first_task_ = 0;  // of the plan, that the path begins with
+  int arrival_poses_ = 0;
+  RobotDecision decision_;
+};
+
+}  // namespace sylph

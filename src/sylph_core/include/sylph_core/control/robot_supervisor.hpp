@@ -1,0 +1,61 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace sylph {
+
+/// What the central node wants, see AdgState.msg.
+enum class CentralMode { Run, Pause, Stop };
+
+/// See TaskReport.msg.
+enum class RobotState { Idle = 0, Moving = 1, Holding = 2, Blind = 3 };
+
+enum class Permission {
+  Drive,       ///< through all accepted tasks; without one, keep the place
+  FinishTask,  ///< to the end of the current task and no further
+  Stop,        ///< ramp to zero at once
+};
+
+/// Everything that decides whether a robot may move.
+struct RobotSituation {
+  std::optional<std::string> pose_problem;  ///< why the pose is not trusted
+  bool has_task = false;
+  bool has_finished_last_task = false;      ///< since the central node fell silent
+  std::optional<double> central_silence_s;  ///< since the last AdgState; nothing before the first
+  CentralMode mode = CentralMode::Run;
+  bool is_emergency = false;
+  bool is_displaced = false;  ///< outside the cells that its tasks hold
+  double heading_error_rad = 0.0;
+};
+
+struct SupervisorLimits {
+  double central_timeout_s = 0.5;        ///< > 0
+  double heading_correction_rad = 0.35;  ///< larger heading errors are for people to correct, > 0
+};
+
+struct RobotDecision {
+  RobotState state = RobotState::Holding;
+  Permission permission = Permission::Stop;
+  std::string detail;  ///< why it does not move, for people
+};
+
+/// The one place where it is decided whether a robot moves, in order of urgency: pose, emergency
+/// stop, central node, place, heading.
+RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& limits);
+
+/// Remembers an emergency stop until people have let go of it twice: the stop itself is over, and
+/// the central node was stopped and told to go on. So its end alone never moves a robot.
+class EmergencyLatch {
+ public:
+  void onEmergencyStop(bool is_pressed);
+  void onCentralMode(CentralMode mode);
+  bool isActive() const { return is_pressed_ || is_waiting_for_resume_; }
+
+ private:
+  bool is_pressed_ = false;
+  bool is_waiting_for_resume_ = false;
+  bool was_stopped_ = false;
+};
+
+}  // namespace sylph

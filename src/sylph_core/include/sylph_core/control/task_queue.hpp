@@ -1,0 +1,86 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/grid/cell.hpp"
+#include "sylph_core/grid/grid.hpp"
+
+namespace sylph {
+
+/// A move as it reaches the robot that has to make it.
+struct AssignedTask {
+  std::uint32_t plan_id = 0;   ///< from 1
+  std::uint32_t sequence = 0;  ///< the robot's k-th task of the plan, from 0
+  Cell start;
+  Cell end;
+  bool is_done = false;  ///< told of to be counted, not to be carried out
+};
+
+bool operator==(const AssignedTask& a, const AssignedTask& b);
+
+enum class TaskVerdict {
+  Accepted,  ///< new, and next in order
+  Repeated,  ///< known already
+  Early,     ///< comes after a gap, or belongs to a plan that cannot begin yet: will be sent again
+  Late,      ///< of an old plan
+  Refused,   ///< contradicts the map, the robot's place or what it was told before
+};
+
+struct TaskAnswer {
+  TaskVerdict verdict;
+  std::string reason;  ///< for people; empty if Accepted or Repeated
+};
+
+/// Where a robot is when it is offered a task.
+struct Whereabouts {
+  std::optional<Cell> cell;   ///< measured; nothing without a good pose
+  bool is_displaced = false;  ///< it stands outside the cells that its tasks hold
+};
+
+/// The tasks that a robot has accepted and done, each exactly once and in order, whatever is lost,
+/// doubled or late on the way.
+///
+/// Tasks count per plan. A plan with a greater id begins when all accepted tasks of the one before
+/// are done, in the cell where these ended or where the robot is measured; or when the robot was
+/// moved out of its cells, in the cell where it stands.
+class TaskQueue {
+ public:
+  explicit TaskQueue(Grid grid) : grid_(std::move(grid)) {}
+
+  TaskAnswer offer(const AssignedTask& task, const Whereabouts& whereabouts);
+
+  /// Marks the current task done.
+  /// @throws std::logic_error if there is none
+  void completeCurrent();
+
+  std::uint32_t planId() const { return plan_id_; }  ///< 0: none yet
+  int accepted() const { return static_cast<int>(tasks_.size()); }
+  int done() const { return done_; }
+  bool isIdle() const { return done_ == accepted(); }
+
+  /// Accepted tasks of this plan by sequence.
+  const std::vector<AssignedTask>& tasks() const { return tasks_; }
+  /// The first task that is not done.
+  std::optional<AssignedTask> current() const;
+  /// Cells that the robot may be in: both of the current task, or the end of the last one. Empty
+  /// before the first task.
+  std::vector<Cell> heldCells() const;
+
+ private:
+  TaskAnswer offerOfThisPlan(const AssignedTask& task);
+  TaskAnswer offerOfNewPlan(const AssignedTask& task, const Whereabouts& whereabouts);
+  std::optional<std::string> contradictionOf(const AssignedTask& task) const;
+  void accept(const AssignedTask& task);
+
+  Grid grid_;
+  std::uint32_t plan_id_ = 0;
+  std::vector<AssignedTask> tasks_;
+  int done_ = 0;
+  std::map<std::uint32_t, AssignedTask> waiting_;  // of this plan, behind a gap, by sequence
+};
+
+}  // namespace sylph

@@ -1,0 +1,54 @@
+#include "sylph_core/control/arrival.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sylph {
+namespace {
+
+// Enough for a robot that is about to leave one leg, drives the next and brakes into a third.
+constexpr int kLegsAhead = 3;
+
+bool isAtEnd(const DrivePath& path, int leg, const Point& here, const ArrivalOptions& options) {
+  if (distance(path.waypoint(leg + 1), here) <= options.position_tolerance_m) {
+    return true;
+  }
+  if (leg + 1 >= path.legCount()) {
+    return false;
+  }
+  const Leg& next = path.leg(leg + 1);
+  const bool leads_back = dot(path.leg(leg).direction, next.direction) < -0.5;
+  const Vector2 beyond = displacement(next.start, here);
+  const bool has_passed = dot(beyond, path.leg(leg).direction) >= -options.position_tolerance_m &&
+                          dot(beyond, next.direction) >= 0.0;
+  return !leads_back && has_passed && distanceToLeg(next, here) <= options.tracking_error_m;
+}
+
+}  // namespace
+
+double distanceToRest(const DrivePath& path, int first, const Point& point) {
+  const int end = std::min(first + kLegsAhead, path.legCount());
+  if (first >= end) {
+    return distance(path.waypoint(path.legCount()), point);
+  }
+  double smallest_m = distanceToLeg(path.leg(first), point);
+  for (int leg = first + 1; leg < end; ++leg) {
+    smallest_m = std::min(smallest_m, distanceToLeg(path.leg(leg), point));
+  }
+  return smallest_m;
+}
+
+bool hasArrived(const DrivePath& path, int leg, const Pose2d& measured, const Vector2& velocity_map,
+                double heading_rad, const ArrivalOptions& options) {
+  const Point here = position(measured);
+  if (!isAtEnd(path, leg, here, options) ||
+      std::abs(shortestAngle(measured.yaw_rad, heading_rad)) > options.heading_tolerance_rad) {
+    return false;
+  }
+  const double speed_mps = std::hypot(velocity_map.x, velocity_map.y);
+  const double braking_s = speed_mps / (2.0 * options.acceleration_limit_mps2);
+  const Point rest{here.x + braking_s * velocity_map.x, here.y + braking_s * velocity_map.y};
+  return distanceToRest(path, leg + 1, rest) <= options.tracking_error_m;
+}
+
+}  // namespace sylph

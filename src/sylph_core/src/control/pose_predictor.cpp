@@ -1,0 +1,84 @@
+#include "sylph_core/control/pose_predictor.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace sylph {
+namespace {
+
+constexpr double kMemory_s = 1.0;
+
+struct Step {
+  double distance;  // moved
+  double rate;      // at the end
+};
+
+/// First-order lag of one axis: from rate `v` under command `u` for `dt_s`.
+Step follow(double v, double u, double dt_s, double lag_s) {
+  if (lag_s <= 0.0) {
+    return {u * dt_s, u};
+  }
+  const double decay = std::exp(-dt_s / lag_s);
+  return {u * dt_s + (v - u) * lag_s * (1.0 - decay), u + (v - u) * decay};
+}
+
+/// Moves `state` on under a constant command.
+void advance(MotionState& state, const Twist2d& command_map, double dt_s, double lag_s) {
+  const Step x = follow(state.twist_map.x_mps, command_map.x_mps, dt_s, lag_s);
+  const Step y = follow(state.twist_map.y_mps, command_map.y_mps, dt_s, lag_s);
+  const Step yaw = follow(state.twist_map.turn_radps, command_map.turn_radps, dt_s, lag_s);
+  state.pose.x_m += x.distance;
+  state.pose.y_m += y.distance;
+  state.pose.yaw_rad = normalizeAngle(state.pose.yaw_rad + yaw.distance);
+  state.twist_map = {x.rate, y.rate, yaw.rate};
+}
+
+}  // namespace
+
+PosePredictor::PosePredictor(const BaseModel& model) : model_(model) {
+  if (!(std::isfinite(model.latency_s) && model.latency_s >= 0.0 && std::isfinite(model.lag_s) &&
+        model.lag_s >= 0.0)) {
+    throw std::invalid_argument("latency and lag of a base: must be >= 0");
+  }
+}
+
+void PosePredictor::command(double time_s, const Twist2d& twist_map) {
+  commands_.push_back({time_s + model_.latency_s, twist_map});
+  forgetBefore(time_s - kMemory_s);
+}
+
+void PosePredictor::forgetBefore(double time_s) {
+  while (commands_.size() > 1 && commands_[1].effective_s < time_s) {
+    MotionState state;
+    state.twist_map = twist_map_;
+    advance(state, commands_[0].twist_map, commands_[1].effective_s - commands_[0].effective_s,
+            model_.lag_s);
+    twist_map_ = state.twist_map;
+    commands_.pop_front();
+  }
+}
+
+MotionState PosePredictor::predict(const Pose2d& captured, double captured_s, double time_s) const {
+  MotionState state;
+  state.pose = captured;
+  state.twist_map = twist_map_;
+  for (std::size_t i = 0; i < commands_.size(); ++i) {
+    const double begin_s = commands_[i].effective_s;
+    const double end_s =
+        i + 1 < commands_.size() ? std::min(commands_[i + 1].effective_s, time_s) : time_s;
+    // Before the capture only the velocity builds up; the pose is known.
+    const double known_until_s = std::clamp(captured_s, begin_s, std::max(begin_s, end_s));
+    if (known_until_s > begin_s) {
+      MotionState before = state;
+      advance(before, commands_[i].twist_map, known_until_s - begin_s, model_.lag_s);
+      state.twist_map = before.twist_map;
+    }
+    if (end_s > known_until_s) {
+      advance(state, commands_[i].twist_map, end_s - known_until_s, model_.lag_s);
+    }
+  }
+  return state;
+}
+
+}  // namespace sylph

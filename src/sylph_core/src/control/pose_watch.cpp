@@ -1,0 +1,131 @@
+#include "sylph_core/control/pose_watch.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <stdexcept>
+
+namespace sylph {
+namespace {
+
+// Limits are what the robot is told; slip and noise of the stamps add to it.
+constexpr double kExcess = 1.5;
+constexpr double kLongestGap_s = 1.0;
+// Stamps that go back by more are of a motion capture that started again.
+constexpr double kClockRestart_s = 0.5;
+
+std::string text(const char* format, double value) {
+  char buffer[96];
+  std::snprintf(buffer, sizeof(buffer), format, value);
+  return buffer;
+}
+
+}  // namespace
+
+PoseWatch::PoseWatch(const PoseWatchOptions& options) : options_(options) {
+  const bool is_valid = options.timeout_s > 0.0 && options.speed_limit_mps > 0.0 &&
+                        options.turn_rate_limit_radps > 0.0 && options.jump_m > 0.0 &&
+                        options.jump_rad > 0.0 && options.frozen_m > 0.0 &&
+                        options.good_poses > 0 && options.consistent_poses > 0 &&
+                        options.rejected_poses > 0;
+  if (!is_valid) {
+    throw std::invalid_argument("pose watch: all options must be > 0");
+  }
+}
+
+PoseVerdict PoseWatch::offer(const TimedPose& pose) {
+  if (!isFinite(pose.pose)) {
+    rejection_ = "pose is not finite";
+    good_ = 0;
+    ++rejected_;
+    return PoseVerdict::NotFinite;
+  }
+  if (last_) {
+    const double step_s = pose.stamp_s - last_->stamp_s;
+    if (step_s <= 0.0 && step_s > -kClockRestart_s) {
+      return PoseVerdict::Repeated;
+    }
+    if (step_s <= 0.0 || !agrees(*last_, pose)) {
+      return reject(pose);
+    }
+  }
+  take(pose);
+  return PoseVerdict::Good;
+}
+
+bool PoseWatch::agrees(const TimedPose& from, const TimedPose& to) const {
+  const double step_s = std::min(to.stamp_s - from.stamp_s, kLongestGap_s);
+  const double moved_m = distance(position(from.pose), position(to.pose));
+  const double turned_rad = std::abs(shortestAngle(from.pose.yaw_rad, to.pose.yaw_rad));
+  return step_s > 0.0 && moved_m <= kExcess * options_.speed_limit_mps * step_s + options_.jump_m &&
+         turned_rad <= kExcess * options_.turn_rate_limit_radps * step_s + options_.jump_rad;
+}
+
+PoseVerdict PoseWatch::reject(const TimedPose& pose) {
+  good_ = 0;
+  ++rejected_;
+  rejection_ = text("pose jumped by %.2f m", distance(position(last_->pose), position(pose.pose))) +
+               text(" and %.0f deg",
+                    std::abs(shortestAngle(last_->pose.yaw_rad, pose.pose.yaw_rad)) * 180.0 / M_PI);
+  const bool goes_on = other_place_ && agrees(*other_place_, pose);
+  consistent_ = goes_on ? consistent_ + 1 : 1;
+  other_place_ = pose;
+  if (consistent_ < options_.consistent_poses) {
+    return PoseVerdict::Jumped;
+  }
+  take(pose);
+  good_ = options_.good_poses;
+  return PoseVerdict::Recovered;
+}
+
+void PoseWatch::take(const TimedPose& pose) {
+  const bool is_frozen = last_ && last_->pose.x_m == pose.pose.x_m &&
+                         last_->pose.y_m == pose.pose.y_m &&
+                         last_->pose.yaw_rad == pose.pose.yaw_rad;
+  if (!is_frozen) {
+    unseen_travel_m_ = 0.0;
+  }
+  last_ = pose;
+  other_place_.reset();
+  consistent_ = 0;
+  rejected_ = 0;
+  good_ = std::min(good_ + 1, options_.good_poses);
+}
+
+void PoseWatch::commanded(double distance_m) {
+  unseen_travel_m_ += distance_m;
+}
+
+double PoseWatch::age(double now_s) const {
+  return last_ ? now_s - last_->captured_s : std::numeric_limits<double>::infinity();
+}
+
+std::optional<std::string> PoseWatch::problem(double now_s) const {
+  if (rejected_ >= options_.rejected_poses) {
+    return rejection_;
+  }
+  if (!last_) {
+    return "no pose yet";
+  }
+  const double silence_s = now_s - last_->received_s;
+  if (silence_s > options_.timeout_s) {
+    return text("no good pose for %.2f s", silence_s);
+  }
+  const double age_s = age(now_s);
+  if (age_s > options_.timeout_s) {
+    return text("pose is %.2f s old by its stamp", age_s);
+  }
+  if (age_s < -options_.timeout_s) {
+    return text("pose stamp is %.2f s ahead: check the clocks", -age_s);
+  }
+  if (unseen_travel_m_ > options_.frozen_m) {
+    return "pose is frozen";
+  }
+  if (good_ < options_.good_poses) {
+    return "waiting for good poses";
+  }
+  return std::nullopt;
+}
+
+}  // namespace sylph

@@ -1,0 +1,190 @@
+#include "sylph_core/control/robot_controller.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace sylph {
+namespace {
+
+/// How far a point lies outside a cell; 0 inside [m].
+double distanceOutside(const CellFrame& frame, const Cell& cell, const Point& point) {
+  const Point center = frame.toPoint(cell);
+  const double half_m = frame.cellSize() / 2.0;
+  return std::hypot(std::max(0.0, std::abs(point.x - center.x) - half_m),
+                    std::max(0.0, std::abs(point.y - center.y) - half_m));
+}
+
+}  // namespace
+
+RobotController::RobotController(const RobotControllerOptions& options, const Grid& grid,
+                                 const CellFrame& frame)
+    : options_(options),
+      frame_(frame),
+      tasks_(grid),
+      watch_(options.watch),
+      predictor_(options.base),
+      follower_(options.follower),
+      limiter_(options.limits) {
+  if (!(options.period_s > 0.0 && options.stop_deceleration_mps2 > 0.0 &&
+        options.cell_margin_m >= 0.0 && options.arrival_poses > 0)) {
+    throw std::invalid_argument(
+        "robot controller: period, stop deceleration and arrival poses must be > 0");
+  }
+}
+
+TaskAnswer RobotController::onTask(const AssignedTask& task, double now_s) {
+  const TaskAnswer answer = tasks_.offer(task, whereabouts(now_s));
+  if (answer.verdict == TaskVerdict::Accepted) {
+    followTasks();
+  }
+  return answer;
+}
+
+void RobotController::followTasks() {
+  // Tasks that are told to be done at once only move the begin of the path.
+  const bool has_only_done = follower_.path().legCount() == 0 && first_task_ < tasks_.done();
+  const bool starts_anew = followed_plan_ != tasks_.planId() || has_only_done;
+  if (starts_anew) {
+    followed_plan_ = tasks_.planId();
+    first_task_ = tasks_.done();
+    arrival_poses_ = 0;
+    finish_waypoint_.reset();
+    follower_.reset(frame_.toPoint(tasks_.heldCells().front()));
+  }
+  for (int next = first_task_ + follower_.path().legCount(); next < tasks_.accepted(); ++next) {
+    follower_.append(frame_.toPoint(tasks_.tasks()[static_cast<std::size_t>(next)].end));
+  }
+}
+
+PoseVerdict RobotController::onPose(const TimedPose& pose) {
+  const PoseVerdict verdict = watch_.offer(pose);
+  if (verdict != PoseVerdict::Good && verdict != PoseVerdict::Recovered) {
+    arrival_poses_ = 0;
+    return verdict;
+  }
+  if (tasks_.isIdle() || watch_.problem(pose.received_s)) {
+    arrival_poses_ = 0;
+    return verdict;
+  }
+  const MotionState state = predictor_.predict(pose.pose, pose.captured_s, pose.captured_s);
+  const bool has_arrived = hasArrived(follower_.path(), reachedWaypoint(), pose.pose,
+                                      {state.twist_map.x_mps, state.twist_map.y_mps},
+                                      options_.follower.heading_rad, options_.arrival);
+  arrival_poses_ = has_arrived ? arrival_poses_ + 1 : 0;
+  if (arrival_poses_ >= options_.arrival_poses) {
+    arrival_poses_ = 0;
+    tasks_.completeCurrent();
+  }
+  return verdict;
+}
+
+void RobotController::onCentralState(CentralMode mode, double now_s) {
+  mode_ = mode;
+  central_heard_s_ = now_s;
+  emergency_.onCentralMode(mode);
+}
+
+bool RobotController::isDisplaced() const {
+  const std::vector<Cell> held = tasks_.heldCells();
+  if (held.empty() || !watch_.last()) {
+    return false;
+  }
+  const Point here = position(watch_.last()->pose);
+  return std::all_of(held.begin(), held.end(), [this, &here](const Cell& cell) {
+    return distanceOutside(frame_, cell, here) > options_.cell_margin_m;
+  });
+}
+
+Whereabouts RobotController::whereabouts(double now_s) const {
+  if (watch_.problem(now_s)) {
+    return {};
+  }
+  return {frame_.toCell(position(watch_.last()->pose)), isDisplaced()};
+}
+
+RobotSituation RobotController::situation(double now_s) const {
+  RobotSituation situation;
+  situation.pose_problem = watch_.problem(now_s);
+  situation.has_task = !tasks_.isIdle();
+  situation.has_finished_last_task = finish_waypoint_ && reachedWaypoint() >= *finish_waypoint_;
+  if (central_heard_s_) {
+    situation.central_silence_s = now_s - *central_heard_s_;
+  }
+  situation.mode = mode_;
+  situation.is_emergency = emergency_.isActive();
+  situation.is_displaced = isDisplaced();
+  if (watch_.last()) {
+    situation.heading_error_rad =
+        shortestAngle(watch_.last()->pose.yaw_rad, options_.follower.heading_rad);
+  }
+  return situation;
+}
+
+int RobotController::lastWaypoint(Permission permission) {
+  if (permission != Permission::FinishTask) {
+    finish_waypoint_.reset();
+    return tasks_.accepted() - first_task_;
+  }
+  if (!finish_waypoint_) {
+    finish_waypoint_ = std::max(reachedWaypoint() + 1, follower_.firstStop());
+  }
+  return *finish_waypoint_;
+}
+
+double RobotController::stepTo(double now_s) {
+  const double step_s = updated_s_ ? now_s - *updated_s_ : options_.period_s;
+  updated_s_ = now_s;
+  return std::clamp(step_s, 0.2 * options_.period_s, 5.0 * options_.period_s);
+}
+
+Twist2d RobotController::update(double now_s) {
+  const double step_s = stepTo(now_s);
+  watch_.commanded(speed(limiter_.last()) * step_s);
+  decision_ = decide(situation(now_s), options_.supervisor);
+  const bool has_path = followed_plan_ != 0;
+  if (decision_.permission == Permission::Stop || !has_path) {
+    follower_.halt();
+    return send(limiter_.ramp(options_.stop_deceleration_mps2, step_s), now_s);
+  }
+  const TimedPose& pose = *watch_.last();
+  const MotionState state =
+      predictor_.predict(pose.pose, pose.captured_s, now_s + options_.base.latency_s);
+  const Twist2d wanted =
+      follower_.update(state, reachedWaypoint(), lastWaypoint(decision_.permission), step_s);
+  return send(limiter_.limit(wanted, step_s), now_s);
+}
+
+Twist2d RobotController::rampDown(double now_s) {
+  follower_.halt();
+  return send(limiter_.ramp(options_.stop_deceleration_mps2, stepTo(now_s)), now_s);
+}
+
+Twist2d RobotController::send(const Twist2d& command_map, double now_s) {
+  predictor_.command(now_s, command_map);
+  const double yaw_rad = watch_.last() ? watch_.last()->pose.yaw_rad : 0.0;
+  return robotFromMap(command_map, yaw_rad);
+}
+
+RobotProgress RobotController::progress() const {
+  return {decision_.state, tasks_.planId(), tasks_.accepted(), tasks_.done()};
+}
+
+RobotStatus RobotController::status(double now_s) const {
+  RobotStatus status;
+  static_cast<RobotProgress&>(status) = progress();
+  status.detail = decision_.detail;
+  status.pose_age_s = watch_.age(now_s);
+  if (watch_.last()) {
+    status.pose = watch_.last()->pose;
+    status.heading_error_rad = shortestAngle(options_.follower.heading_rad, status.pose.yaw_rad);
+    if (followed_plan_ != 0) {
+      // The leg before counts too: an arrival is reported a little before its end.
+      status.tracking_error_m = distanceToRest(follower_.path(), std::max(0, reachedWaypoint() - 1),
+                                               position(status.pose));
+    }
+  }
+  return status;
+}
+
+}  // namespace sylph

@@ -1,0 +1,67 @@
+#include "sylph_core/control/robot_supervisor.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+namespace sylph {
+namespace {
+
+std::string text(const char* format, double value) {
+  char buffer[128];
+  std::snprintf(buffer, sizeof(buffer), format, value);
+  return buffer;
+}
+
+RobotDecision stop(const RobotSituation& situation, const std::string& detail) {
+  return {situation.has_task ? RobotState::Holding : RobotState::Idle, Permission::Stop, detail};
+}
+
+}  // namespace
+
+RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& limits) {
+  if (situation.pose_problem) {
+    return {RobotState::Blind, Permission::Stop, *situation.pose_problem};
+  }
+  if (situation.is_emergency) {
+    return stop(situation, "emergency stop");
+  }
+  if (!situation.central_silence_s) {
+    return stop(situation, "central node not heard yet");
+  }
+  if (situation.mode == CentralMode::Stop) {
+    return stop(situation, "stopped by the central node");
+  }
+  if (situation.is_displaced) {
+    return stop(situation, "outside the cells of its task: put it back");
+  }
+  if (std::abs(situation.heading_error_rad) > limits.heading_correction_rad) {
+    return stop(situation, text("heading is %.0f deg off: turn it by hand",
+                                situation.heading_error_rad * 180.0 / M_PI));
+  }
+  if (*situation.central_silence_s > limits.central_timeout_s) {
+    const std::string detail = text("central node silent for %.1f s", *situation.central_silence_s);
+    if (!situation.has_task || situation.has_finished_last_task) {
+      return stop(situation, detail);
+    }
+    return {RobotState::Moving, Permission::FinishTask, detail};
+  }
+  return {situation.has_task ? RobotState::Moving : RobotState::Idle, Permission::Drive, ""};
+}
+
+void EmergencyLatch::onEmergencyStop(bool is_pressed) {
+  if (is_pressed && !is_pressed_) {
+    is_waiting_for_resume_ = true;
+    was_stopped_ = false;
+  }
+  is_pressed_ = is_pressed;
+}
+
+void EmergencyLatch::onCentralMode(CentralMode mode) {
+  if (mode == CentralMode::Stop) {
+    was_stopped_ = true;
+  } else if (mode == CentralMode::Run && was_stopped_ && !is_pressed_) {
+    is_waiting_for_resume_ = false;
+  }
+}
+
+}  // namespace sylph

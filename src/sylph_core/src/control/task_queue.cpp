@@ -1,0 +1,137 @@
+#include "sylph_core/control/task_queue.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "sylph_core/grid/action.hpp"
+
+namespace sylph {
+namespace {
+
+constexpr std::size_t kMostWaiting = 64;
+
+std::string nameOf(const AssignedTask& task) {
+  return "task " + std::to_string(task.sequence) + " of plan " + std::to_string(task.plan_id) +
+         " from " + toString(task.start) + " to " + toString(task.end);
+}
+
+}  // namespace
+
+bool operator==(const AssignedTask& a, const AssignedTask& b) {
+  return a.plan_id == b.plan_id && a.sequence == b.sequence && a.start == b.start && a.end == b.end;
+}
+
+TaskAnswer TaskQueue::offer(const AssignedTask& task, const Whereabouts& whereabouts) {
+  if (task.plan_id == 0) {
+    return {TaskVerdict::Refused, nameOf(task) + ": plans count from 1"};
+  }
+  if (task.plan_id < plan_id_) {
+    return {TaskVerdict::Late, nameOf(task) + ": plan " + std::to_string(plan_id_) + " runs"};
+  }
+  if (!grid_.isFree(task.start) || !grid_.isFree(task.end)) {
+    return {TaskVerdict::Refused, nameOf(task) + ": not a free cell of the map"};
+  }
+  if (manhattanDistance(task.start, task.end) != 1) {
+    return {TaskVerdict::Refused, nameOf(task) + ": the cells are not adjacent"};
+  }
+  return task.plan_id == plan_id_ ? offerOfThisPlan(task) : offerOfNewPlan(task, whereabouts);
+}
+
+TaskAnswer TaskQueue::offerOfThisPlan(const AssignedTask& task) {
+  const std::size_t sequence = task.sequence;
+  if (sequence < tasks_.size()) {
+    if (!(tasks_[sequence] == task)) {
+      return {TaskVerdict::Refused, nameOf(task) + ": was " + nameOf(tasks_[sequence])};
+    }
+    return {TaskVerdict::Repeated, ""};
+  }
+  if (sequence > tasks_.size()) {
+    if (waiting_.size() < kMostWaiting) {
+      waiting_.emplace(task.sequence, task);
+    }
+    return {TaskVerdict::Early, nameOf(task) + ": " + std::to_string(tasks_.size()) + " is next"};
+  }
+  if (const auto contradiction = contradictionOf(task)) {
+    return {TaskVerdict::Refused, *contradiction};
+  }
+  accept(task);
+  for (auto next = waiting_.find(static_cast<std::uint32_t>(tasks_.size()));
+       next != waiting_.end() && !contradictionOf(next->second);
+       next = waiting_.find(static_cast<std::uint32_t>(tasks_.size()))) {
+    accept(next->second);
+    waiting_.erase(next);
+  }
+  return {TaskVerdict::Accepted, ""};
+}
+
+TaskAnswer TaskQueue::offerOfNewPlan(const AssignedTask& task, const Whereabouts& whereabouts) {
+  if (task.sequence != 0) {
+    return {TaskVerdict::Early, nameOf(task) + ": the plan's first task is missing"};
+  }
+  if (!task.is_done) {
+    if (!isIdle() && !whereabouts.is_displaced) {
+      return {TaskVerdict::Early,
+              nameOf(task) + ": plan " + std::to_string(plan_id_) + " is not done"};
+    }
+    const bool follows = isIdle() && !tasks_.empty() && tasks_.back().end == task.start;
+    if (!follows && !whereabouts.cell) {
+      return {TaskVerdict::Early, nameOf(task) + ": no good pose yet"};
+    }
+    // A node that starts again may find its robot between the cells of the first task.
+    const bool is_there = whereabouts.cell && (*whereabouts.cell == task.start ||
+                                               (plan_id_ == 0 && *whereabouts.cell == task.end));
+    if (!follows && !is_there) {
+      return {TaskVerdict::Refused,
+              nameOf(task) + ": the robot is in " + toString(*whereabouts.cell)};
+    }
+  }
+  plan_id_ = task.plan_id;
+  tasks_.clear();
+  waiting_.clear();
+  done_ = 0;
+  accept(task);
+  return {TaskVerdict::Accepted, ""};
+}
+
+std::optional<std::string> TaskQueue::contradictionOf(const AssignedTask& task) const {
+  if (!tasks_.empty() && tasks_.back().end != task.start) {
+    return nameOf(task) + ": the one before ends in " + toString(tasks_.back().end);
+  }
+  if (task.is_done && !isIdle()) {
+    return nameOf(task) + ": told to be done, but the one before is not";
+  }
+  return std::nullopt;
+}
+
+void TaskQueue::accept(const AssignedTask& task) {
+  tasks_.push_back(task);
+  if (task.is_done) {
+    ++done_;
+  }
+}
+
+void TaskQueue::completeCurrent() {
+  if (isIdle()) {
+    throw std::logic_error("no task to complete");
+  }
+  ++done_;
+}
+
+std::optional<AssignedTask> TaskQueue::current() const {
+  if (isIdle()) {
+    return std::nullopt;
+  }
+  return tasks_[static_cast<std::size_t>(done_)];
+}
+
+std::vector<Cell> TaskQueue::heldCells() const {
+  if (tasks_.empty()) {
+    return {};
+  }
+  if (const auto task = current()) {
+    return {task->start, task->end};
+  }
+  return {tasks_.back().end};
+}
+
+}  // namespace sylph

@@ -1,0 +1,167 @@
+#include "sylph_robot_node/robot_node.hpp"
+
+#include <ros/console.h>
+#include <ros/init.h>
+#include <ros/transport_hints.h>
+
+#include <algorithm>
+#include <string>
+
+#include "sylph_robot_node/conversions.hpp"
+#include "sylph_robot_node/shutdown_request.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_robot_node {
+namespace {
+
+/// Stamps of another machine may run a little ahead of this one's clock.
+constexpr double kStampAhead_s = 0.05;
+
+std::string suiteTopic(const char* name) {
+  return std::string(sylph_ros::kSuiteNamespace) + "/" + name;
+}
+
+}  // namespace
+
+RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : options_(loadOptions(nh, private_nh)),
+      clock_(sylph_ros::SteadyClock::fromParameter(nh)),
+      frame_(options_.grid, options_.cell_size_m),
+      controller_(options_.controller, options_.grid, frame_),
+      nh_(nh),
+      updater_(nh, private_nh) {
+  catchShutdownSignals();
+  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
+  command_publisher_ = nh_.advertise<geometry_msgs::Twist>(sylph_ros::kCommandTopic, 1);
+  report_publisher_ = nh_.advertise<sylph_msgs::TaskReport>(sylph_ros::kTaskReportTopic, 10);
+  task_subscriber_ = nh_.subscribe(sylph_ros::kTaskTopic, 100, &RobotNode::onTask, this, no_delay);
+  pose_subscriber_ = nh_.subscribe(sylph_ros::kPoseTopic, 1, &RobotNode::onPose, this, no_delay);
+  adg_state_subscriber_ = nh_.subscribe(suiteTopic(sylph_ros::kAdgStateTopic), 1,
+                                        &RobotNode::onAdgState, this, no_delay);
+  emergency_subscriber_ = nh_.subscribe(suiteTopic(sylph_ros::kEmergencyStopTopic), 10,
+                                        &RobotNode::onEmergencyStop, this, no_delay);
+  updater_.setHardwareID(options_.robot);
+  updater_.add("control",
+               [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
+  timer_ = nh_.createSteadyTimer(clock_.wall(1.0 / options_.control_rate_hz),
+                                 [this](const ros::SteadyTimerEvent&) { onTick(); });
+}
+
+void RobotNode::onTask(const sylph_msgs::Task& message) {
+  if (message.robot_id != options_.robot) {
+    ROS_WARN_THROTTLE(1.0, "task for %s on the topic of %s", message.robot_id.c_str(),
+                      options_.robot.c_str());
+    return;
+  }
+  std::string reason;
+  const auto task = fromMessage(message, frame_, reason);
+  if (!task) {
+    ROS_WARN_THROTTLE(1.0, "%s", reason.c_str());
+    return;
+  }
+  const double now_s = clock_.now();
+  const sylph::TaskAnswer answer = controller_.onTask(*task, now_s);
+  if (answer.verdict == sylph::TaskVerdict::Refused) {
+    ROS_WARN_THROTTLE(1.0, "%s", answer.reason.c_str());
+  } else if (!answer.reason.empty()) {
+    ROS_DEBUG("%s", answer.reason.c_str());
+  }
+  reportChange(now_s);
+}
+
+void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
+  if (message.header.frame_id != sylph_ros::kMapFrame) {
+    ROS_WARN_THROTTLE(1.0, "pose in frame %s: must be %s", message.header.frame_id.c_str(),
+                      sylph_ros::kMapFrame);
+    return;
+  }
+  const double now_s = clock_.now();
+  double age_s = (ros::Time::now() - message.header.stamp).toSec();
+  if (age_s > -kStampAhead_s) {
+    age_s = std::max(0.0, age_s);
+  }
+  controller_.onPose(
+      {fromMessage(message.pose), message.header.stamp.toSec(), now_s - age_s, now_s});
+  reportChange(now_s);
+}
+
+void RobotNode::onAdgState(const sylph_msgs::AdgState& message) {
+  if (const auto mode = modeFromMessage(message)) {
+    controller_.onCentralState(*mode, clock_.now());
+  } else {
+    ROS_WARN_THROTTLE(1.0, "AdgState with mode %d: must be RUN, PAUSE or STOP", message.mode);
+  }
+}
+
+void RobotNode::onEmergencyStop(const std_msgs::Bool& message) {
+  controller_.onEmergencyStop(message.data != 0);
+}
+
+void RobotNode::onTick() {
+  const double now_s = clock_.now();
+  if (isShutdownRequested()) {
+    goDown(now_s);
+    return;
+  }
+  command_publisher_.publish(toMessage(controller_.update(now_s)));
+  if (now_s - reported_s_ >= 1.0 / options_.report_rate_hz) {
+    report(now_s);
+    updater_.update();
+  } else {
+    reportChange(now_s);
+  }
+  if (ticked_s_) {
+    largest_tick_s_ = std::max(largest_tick_s_, now_s - *ticked_s_);
+  }
+  ticked_s_ = now_s;
+}
+
+void RobotNode::goDown(double now_s) {
+  if (!shutdown_since_s_) {
+    shutdown_since_s_ = now_s;
+  }
+  command_publisher_.publish(toMessage(controller_.rampDown(now_s)));
+  if (now_s - *shutdown_since_s_ >= options_.shutdown_s) {
+    command_publisher_.publish(geometry_msgs::Twist());
+    ros::requestShutdown();
+  }
+}
+
+void RobotNode::report(double now_s) {
+  const std::uint32_t report_id = last_report_.report_id + 1;
+  last_report_ = toMessage(controller_.status(now_s));
+  last_report_.report_id = report_id;
+  last_report_.robot_id = options_.robot;
+  last_report_.header.stamp = ros::Time::now();
+  last_report_.header.frame_id = sylph_ros::kMapFrame;
+  report_publisher_.publish(last_report_);
+  reported_s_ = now_s;
+}
+
+void RobotNode::reportChange(double now_s) {
+  const sylph::RobotProgress now = controller_.progress();
+  const bool is_same = static_cast<std::uint8_t>(now.state) == last_report_.state &&
+                       now.plan_id == last_report_.plan_id &&
+                       static_cast<std::uint32_t>(now.accepted) == last_report_.accepted &&
+                       static_cast<std::uint32_t>(now.done) == last_report_.done;
+  if (!is_same) {
+    report(now_s);
+  }
+}
+
+void RobotNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
+  const bool is_well = last_report_.state == sylph_msgs::TaskReport::IDLE ||
+                       last_report_.state == sylph_msgs::TaskReport::MOVING;
+  status.summary(
+      is_well ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN,
+      last_report_.detail.empty() ? "driving" : last_report_.detail);
+  status.add("plan", last_report_.plan_id);
+  status.add("tasks accepted", last_report_.accepted);
+  status.add("tasks done", last_report_.done);
+  status.add("tracking error [m]", last_report_.tracking_error_m);
+  status.add("heading error [rad]", last_report_.heading_error_rad);
+  status.add("pose age [s]", last_report_.pose_age_s);
+  status.add("longest control period [s]", largest_tick_s_);
+}
+
+}  // namespace sylph_robot_node
