@@ -42,7 +42,7 @@ PlanningResult LacamPlanner::plan(const Instance& instance, const PlanningLimits
   }
   result.plan = problem.graph.toPlan(best);
   result.outcome = outcomeOf(lacam, status, result, limits);
-  result.social = unknownSocialStates(result.plan);
+  result.social = socialStatesOf(problem, instance.grid, result.plan);
   result.statistics.search_nodes = lacam.nodeCount();
   result.statistics.total_s = deadline.elapsed();
   return result;

@@ -35,7 +35,7 @@ PlanningResult PibtPlanner::plan(const Instance& instance, const PlanningLimits&
     configurations.push_back(std::move(next));
   }
   result.plan = problem.graph.toPlan(configurations);
-  result.social = unknownSocialStates(result.plan);
+  result.social = socialStatesOf(problem, instance.grid, result.plan);
   result.statistics.search_nodes = static_cast<long>(configurations.size());
   result.statistics.total_s = deadline.elapsed();
   result.statistics.first_solution_s = result.statistics.total_s;

@@ -1,19 +1,15 @@
 #include "sylph_core/planners/social_states.hpp"
 
-#include <limits>
-#include <numeric>
+#include "sylph_core/social/partners.hpp"
 
 namespace sylph {
 
-std::vector<SocialState> unknownSocialStates(const Plan& plan) {
-  if (plan.size() < 2) {
-    return {};
-  }
-  SocialState state;
-  state.partners.resize(plan.front().size());
-  std::iota(state.partners.begin(), state.partners.end(), 0);
-  state.svo_deg.assign(plan.front().size(), std::numeric_limits<float>::quiet_NaN());
-  return std::vector<SocialState>(plan.size() - 1, state);
+std::vector<SocialState> socialStatesOf(const SearchProblem& problem, const Grid& grid,
+                                        const Plan& plan) {
+  const auto distance = [&problem](AgentId agent, const Cell& cell) {
+    return problem.distances.get(agent, problem.graph.vertexAt(cell));
+  };
+  return partnersAlongPlan(grid, distance, plan);
 }
 
 }  // namespace sylph

@@ -7,6 +7,7 @@
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_core/mapf/types.hpp"
+#include "sylph_core/social/social_state.hpp"
 
 namespace sylph {
 
@@ -16,12 +17,6 @@ struct PlanningLimits {
   int max_steps = 10000;             ///< longest plan that is of use [timesteps], > 0
   bool first_solution_only = false;  ///< stop at the first solution instead of improving it
   int threads = 1;                   ///< > 0
-};
-
-/// Partners and social value orientations at one timestep.
-struct SocialState {
-  std::vector<AgentId> partners;  ///< per agent; an agent without partner is its own
-  std::vector<float> svo_deg;  ///< per agent, 0 selfish ... 45 prosocial [deg]; NaN where unknown
 };
 
 enum class Outcome {
