@@ -55,14 +55,11 @@ Marker badgeSign(const MarkerId& id, RobotStatus status, std::uint8_t action) {
   return disc(id, {0.0, 0.0}, 0.3 * r, kTop, grey());
 }
 
-/// What is said of the robot at the end of the chains of waits.
-std::string rootCauseText(int held_up, const std::string& cause) {
-  return "holds up " + std::to_string(held_up) + (cause.empty() ? "" : ": " + cause);
-}
-
+/// What hangs on one robot at the end of chains of waits.
 struct RootCause {
   int held_up = 0;
-  std::string cause;
+  double longest_s = 0.0;
+  std::string reason;
 };
 
 std::map<std::string, RootCause> rootCauses(const Scene& scene) {
@@ -71,10 +68,35 @@ std::map<std::string, RootCause> rootCauses(const Scene& scene) {
     if (robot.execution && robot.execution->waiting && !robot.execution->root_cause_robot.empty()) {
       RootCause& entry = causes[robot.execution->root_cause_robot];
       ++entry.held_up;
-      entry.cause = robot.execution->root_cause;
+      entry.longest_s = std::max(entry.longest_s, robot.execution->waiting_since_s);
+      entry.reason = robot.execution->root_cause;
     }
   }
   return causes;
+}
+
+/// "holds up 2: has sent no report for 3 s". That a robot drives is seen without words.
+void addRootCause(const Scene& scene, const RobotView& robot, int id, const RootCause& cause,
+                  Markers& markers) {
+  constexpr std::size_t kColumns = 26;
+  markers.push_back(
+      attach(ring({"root_cause", id}, {0.0, 0.0}, 0.19, height::kWait, 0.03, vermillion()), robot));
+  if (cause.longest_s < kLongWaitS) {
+    return;
+  }
+  std::string words = "holds up " + std::to_string(cause.held_up);
+  const bool drives = robot.execution && scene.state &&
+                      statusOf(*scene.state, *robot.execution) == RobotStatus::Enqueued;
+  if (!drives && !cause.reason.empty()) {
+    words += ": " + cause.reason;
+  }
+  int line = 0;
+  for (const std::string& part : wrapped(words, kColumns)) {
+    markers.push_back(attach(text({"root_cause_text", 10 * id + line}, {0.0, -0.30 - 0.12 * line},
+                                  height::kText, 0.10, part, white()),
+                             robot));
+    ++line;
+  }
 }
 
 void addWait(const Scene& scene, const RobotView& robot, int id, Markers& markers) {
@@ -150,12 +172,7 @@ Markers waitMarkers(const Scene& scene) {
     }
     const auto cause = causes.find(robot.name);
     if (cause != causes.end()) {
-      markers.push_back(attach(
-          ring({"root_cause", id}, {0.0, 0.0}, 0.19, height::kWait, 0.03, vermillion()), robot));
-      markers.push_back(
-          attach(text({"root_cause_text", id}, {0.0, -0.31}, height::kText, 0.10,
-                      rootCauseText(cause->second.held_up, cause->second.cause), white()),
-                 robot));
+      addRootCause(scene, robot, id, cause->second, markers);
     }
   }
   return markers;

@@ -20,6 +20,7 @@ constexpr double kSignM = 0.22;    // from a sign's middle to its words
 constexpr double kLineM = 0.24;    // from line to line
 constexpr double kLetterM = 0.14;
 constexpr double kTitleM = 0.18;
+constexpr std::size_t kColumns = 36;  // letters in a line
 constexpr int kLines = 23;
 constexpr double kSmallest = 0.5;
 
@@ -117,8 +118,8 @@ void writeMission(const Scene& scene, Writer& writer) {
     title += state.mode == AdgState::PAUSE ? ", PAUSED" : ", STOPPED";
   }
   writer.line(title, state.mode == AdgState::RUN ? white() : yellow(), kTitleM);
-  if (!state.message.empty()) {
-    writer.line(state.message, yellow());
+  for (const std::string& words : wrapped(state.message, kColumns)) {
+    writer.line(words, yellow());
   }
   double arrived = 0.0;
   for (const sylph_msgs::RobotExecution& robot : state.robots) {

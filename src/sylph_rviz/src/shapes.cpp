@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <sstream>
 #include <utility>
 
 #include "sylph_ros/conversions.hpp"
@@ -148,6 +149,20 @@ double textWidth(const std::string& words) {
     width += kAdvances.at(static_cast<std::size_t>((printable ? letter : ' ') - ' '));
   }
   return width / kEm;
+}
+
+std::vector<std::string> wrapped(const std::string& words, std::size_t columns) {
+  std::vector<std::string> lines;
+  std::istringstream stream(words);
+  std::string word;
+  while (stream >> word) {
+    if (!lines.empty() && lines.back().size() + 1 + word.size() <= columns) {
+      lines.back() += " " + word;
+    } else {
+      lines.push_back(word);
+    }
+  }
+  return lines;
 }
 
 std::vector<sylph::Point> arrowHead(const sylph::Point& from, const sylph::Point& tip,

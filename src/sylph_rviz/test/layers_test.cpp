@@ -150,7 +150,10 @@ TEST(WaitMarkersTest, ShowWhoWaitsForWhomAndTheRootCause) {
   ASSERT_NE(nullptr, findMarker(markers, "cell", 0));
   EXPECT_EQ("3 s", findMarker(markers, "time", 0)->text);
   EXPECT_EQ("robot_1", findMarker(markers, "root_cause", 1)->header.frame_id);
-  EXPECT_EQ("holds up 1: stuck", findMarker(markers, "root_cause_text", 1)->text);
+  EXPECT_EQ("holds up 1: stuck", findMarker(markers, "root_cause_text", 10)->text);
+
+  robot.waiting_since_s = 0.2;
+  EXPECT_EQ(nullptr, findMarker(waitMarkers(scene), "root_cause_text", 10)) << "a short wait";
 }
 
 TEST(LegendMarkersTest, StandBesideTheMapAndCountTheArrived) {

@@ -34,6 +34,7 @@ class ReportTest(unittest.TestCase):
             self.assertIn(f'src="{figure}.png"', page)
             self.assertGreater(os.path.getsize(self.path("report", f"{figure}.png")), 1000)
         self.assertIn("min_separation_m", page)
+        self.assertIn("mode stop", page)
 
     def test_reports_what_is_there_and_names_in_one_line_what_is_missing(self):
         with open(self.path("result.yaml"), "w", encoding="utf-8") as file:

@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
 """What the report reads from a run folder."""
+import os
 import tempfile
 import unittest
 
@@ -32,6 +33,12 @@ class RunDataTest(unittest.TestCase):
         causes = run_data.waiting_by_cause(self.run_data.robots["robot_1"])
         self.assertEqual(list(causes), [("robot_0", "silent for ... s")])
         self.assertAlmostEqual(causes[("robot_0", "silent for ... s")], 1.0, places=3)
+
+    def test_takes_progress_from_the_event_log_when_there_is_no_bag(self):
+        os.remove(os.path.join(self.folder.name, "run.bag"))
+        robot = run_data.load(self.folder.name).robots["robot_1"]
+        self.assertEqual(robot.cells_done, [0, 1, 2, 3])
+        self.assertEqual(robot.time_s, [0.0, 1.0, 2.0, 3.0])
 
     def test_says_nothing_is_missing(self):
         self.assertEqual(self.run_data.missing, [])

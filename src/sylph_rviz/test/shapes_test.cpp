@@ -75,6 +75,13 @@ TEST(TextFromTest, BeginsWhereItIsTold) {
   EXPECT_DOUBLE_EQ(2.0, wide.pose.position.y);
 }
 
+TEST(WrappedTest, BreaksAtSpacesAndKeepsLongWordsWhole) {
+  using Lines = std::vector<std::string>;
+  EXPECT_EQ((Lines{"one two", "three"}), wrapped("one two three", 8));
+  EXPECT_EQ((Lines{"a", "incomprehensible", "b"}), wrapped("a incomprehensible b", 5));
+  EXPECT_EQ(Lines{}, wrapped("", 5));
+}
+
 TEST(AttachTest, KeepsTheDirectionsOfTheMapOnARobotThatIsTurned) {
   RobotView robot;
   robot.name = "robot_4";

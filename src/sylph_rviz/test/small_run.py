@@ -1,4 +1,5 @@
 """A run of two robots, made by hand: both drive three cells east, robot_1 waits for robot_0."""
+import json
 import math
 import os
 
@@ -84,12 +85,23 @@ def write_bag(path, leave_out=()):
                 write(f"/{name}/cmd_vel", Twist(), time_s)
 
 
+def events():
+    """What the central node would have logged."""
+    yield {"stamp": START_S, "event": "plan", "plan_id": 1, "plan": {"robots": ROBOTS}}
+    for second in range(3):
+        for name in ROBOTS:
+            task = {"plan_id": 1, "robot": name, "number": second}
+            yield {"stamp": START_S + second, "event": "released", **task}
+            yield {"stamp": START_S + second + 1.0, "event": "done", **task}
+    yield {"stamp": START_S + 3.0, "event": "mode", "plan_id": 1, "number": 2, "text": "by the user"}
+
+
 def write_folder(folder):
     """A whole run folder."""
     write_bag(os.path.join(folder, "run.bag"))
     files = {
         "result.yaml": "success: true\nrobots: 2\nmin_separation_m: 0.1\n",
-        "events.jsonl": '{"event": "start"}\n{"event": "end"}\n',
+        "events.jsonl": "".join(json.dumps(event) + "\n" for event in events()),
         "experiment.yaml": "cell_size_m: 0.3\nexecution: {speed_limit_mps: 0.3}\n",
     }
     for name, content in files.items():

@@ -52,6 +52,9 @@ Marker textFrom(const MarkerId& id, const sylph::Point& start, double height_m, 
 /// Width of one line of text in RViz's font, Liberation Sans, at a size of 1 m.
 double textWidth(const std::string& words);
 
+/// The words in lines of at most `columns` letters, broken at spaces; a longer word stays whole.
+std::vector<std::string> wrapped(const std::string& words, std::size_t columns);
+
 /// Corners of the triangle at the end of an arrow that arrives at `tip` from `from`.
 std::vector<sylph::Point> arrowHead(const sylph::Point& from, const sylph::Point& tip,
                                     double size_m);

@@ -30,6 +30,7 @@ def write(run, folder):
             f'<img src="{file_name}" alt="{html.escape(title)}">\n'
         )
     parts.append(_cause_table(run))
+    parts.append(_event_table(run))
     path = os.path.join(folder, "report.html")
     with open(path, "w", encoding="utf-8") as file:
         file.write("\n".join(parts) + "</body></html>\n")
@@ -76,3 +77,35 @@ def _cause_table(run):
         "<h2>Who waited for whom</h2>\n<table><tr><th>robot</th><th>root cause</th><th>reason</th>"
         f'<th class="number">waited [s]</th></tr>\n{cells}</table>'
     )
+
+
+# Events of each single task are in the figures.
+TOLD_EVENTS = ("plan", "refused", "abandoned", "condition", "lost", "mode")
+MODES = ("run", "pause", "stop")
+CONDITIONS = ("ok", "silent", "stuck", "blind", "lost")
+
+
+def _event_table(run):
+    told = [event for event in run.events if event.get("event") in TOLD_EVENTS]
+    if not told:
+        return ""
+    first_s = run.events[0].get("stamp", 0.0)
+    rows = "".join(
+        f'<tr><td class="number">{event.get("stamp", 0.0) - first_s:.1f}</td>'
+        f"<td>{html.escape(_event_words(event))}</td>"
+        f'<td>{html.escape(str(event.get("text", "")))}</td></tr>\n'
+        for event in told
+    )
+    return f'<h2>Events</h2>\n<table><tr><th class="number">[s]</th></tr>\n{rows}</table>'
+
+
+def _event_words(event):
+    kind = event["event"]
+    number = event.get("number", -1)
+    if kind == "plan":
+        return f'plan {event.get("plan_id")}'
+    if kind == "mode" and 0 <= number < len(MODES):
+        return f"mode {MODES[number]}"
+    if kind == "condition" and 0 <= number < len(CONDITIONS):
+        return f'{event.get("robot")} {CONDITIONS[number]}'
+    return f'{kind} {event.get("robot", "")}'

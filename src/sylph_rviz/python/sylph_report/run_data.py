@@ -63,6 +63,8 @@ def load(folder):
     run.result = _load_yaml(run, os.path.join(folder, "result.yaml"))
     _load_events(run, os.path.join(folder, "events.jsonl"))
     _load_bag(run, os.path.join(folder, "run.bag"))
+    if not run.robots:
+        _progress_from_events(run)
     return run
 
 
@@ -115,11 +117,37 @@ def _load_events(run, path):
             return
 
 
+def _progress_from_events(run):
+    """Who was where when, from the event log alone."""
+    stamps = [event["stamp"] for event in run.events if event.get("event") == "released"]
+    if not stamps:
+        return
+    start_s = min(stamps)
+    for event in run.events:
+        time_s = event["stamp"] - start_s
+        if event["event"] == "plan":
+            for name in event["plan"]["robots"]:
+                _add_sample(run.robots.setdefault(name, RobotRun()), max(0.0, time_s), 0)
+        elif event["event"] == "done":
+            _add_sample(run.robots.setdefault(event["robot"], RobotRun()), time_s, 1)
+
+
+def _add_sample(robot, time_s, cells):
+    robot.time_s.append(time_s)
+    robot.cells_done.append((robot.cells_done[-1] if robot.cells_done else 0) + cells)
+    robot.waiting.append(False)
+    robot.cause.append(None)
+    robot.partner.append("")
+    robot.svo_deg.append(math.nan)
+
+
 def _load_bag(run, path):
     if not os.path.isfile(path):
         hint = " (run.bag.active is there: the recorder did not end; rosbag reindex mends it)"
         was_cut = os.path.isfile(path + ".active")
-        run.missing.append(f"{path}: missing, so there are no figures{hint if was_cut else ''}")
+        run.missing.append(
+            f"{path}: missing, so only the event log is drawn{hint if was_cut else ''}"
+        )
         return
     try:
         with rosbag.Bag(path) as bag:
