@@ -64,13 +64,27 @@ class ReportTest(unittest.TestCase):
         self.assert_refused(report(self.path("nowhere")), "no such folder")
 
     def test_says_so_when_files_are_broken(self):
-        for name in ("run.bag", "result.yaml", "events.jsonl"):
+        for name in ("run.bag", "result.yaml", "events.jsonl", "experiment.yaml"):
             with open(self.path(name), "w", encoding="utf-8") as file:
                 file.write("{ broken: [")
         result = report(self.folder.name)
         self.assert_refused(result, "not a readable bag")
         self.assertIn("not YAML", result.stderr)
-        self.assertIn("not JSON", result.stderr)
+        self.assertIn("not an event", result.stderr)
+
+    def test_says_so_when_files_are_of_something_else(self):
+        contents = {
+            "result.yaml": "success: true",
+            "events.jsonl": '["stamp"]',
+            "experiment.yaml": "execution: fast",
+        }
+        for name, content in contents.items():
+            with open(self.path(name), "w", encoding="utf-8") as file:
+                file.write(content)
+        result = report(self.folder.name)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("events.jsonl:1: not an event", result.stderr)
+        self.assertIn("not an experiment", result.stderr)
 
 
 if __name__ == "__main__":

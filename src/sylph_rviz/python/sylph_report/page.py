@@ -86,12 +86,12 @@ CONDITIONS = ("ok", "silent", "stuck", "blind", "lost")
 
 
 def _event_table(run):
-    told = [event for event in run.events if event.get("event") in TOLD_EVENTS]
+    told = [event for event in run.events if event["event"] in TOLD_EVENTS]
     if not told:
         return ""
-    first_s = run.events[0].get("stamp", 0.0)
+    first_s = run.events[0]["stamp"]
     rows = "".join(
-        f'<tr><td class="number">{event.get("stamp", 0.0) - first_s:.1f}</td>'
+        f'<tr><td class="number">{event["stamp"] - first_s:.1f}</td>'
         f"<td>{html.escape(_event_words(event))}</td>"
         f'<td>{html.escape(str(event.get("text", "")))}</td></tr>\n'
         for event in told

@@ -96,10 +96,13 @@ def _load_yaml(run, path):
 
 def _load_experiment(run, path):
     content = _load_yaml(run, path)
-    execution = content.get("execution") or {}
-    run.cell_size_m = float(content.get("cell_size_m", run.cell_size_m))
-    run.speed_limit_mps = float(execution.get("speed_limit_mps", run.speed_limit_mps))
-    run.tracking_limit_m = float(execution.get("tracking_error_m", run.tracking_limit_m))
+    try:
+        execution = dict(content.get("execution") or {})
+        run.cell_size_m = float(content.get("cell_size_m", run.cell_size_m))
+        run.speed_limit_mps = float(execution.get("speed_limit_mps", run.speed_limit_mps))
+        run.tracking_limit_m = float(execution.get("tracking_error_m", run.tracking_limit_m))
+    except (TypeError, ValueError) as error:
+        run.missing.append(f"{path}: not an experiment: {error}")
 
 
 def _load_events(run, path):
@@ -111,24 +114,25 @@ def _load_events(run, path):
         return
     for number, line in enumerate(lines, 1):
         try:
-            run.events.append(json.loads(line))
-        except json.JSONDecodeError as error:
-            run.missing.append(f"{path}:{number}: not JSON: {error}")
+            event = json.loads(line)
+            run.events.append({**event, "stamp": float(event["stamp"]), "event": event["event"]})
+        except (KeyError, TypeError, ValueError) as error:
+            run.missing.append(f"{path}:{number}: not an event: {type(error).__name__}: {error}")
             return
 
 
 def _progress_from_events(run):
     """Who was where when, from the event log alone."""
-    stamps = [event["stamp"] for event in run.events if event.get("event") == "released"]
+    stamps = [event["stamp"] for event in run.events if event["event"] == "released"]
     if not stamps:
         return
     start_s = min(stamps)
     for event in run.events:
         time_s = event["stamp"] - start_s
         if event["event"] == "plan":
-            for name in event["plan"]["robots"]:
+            for name in event.get("plan", {}).get("robots", []):
                 _add_sample(run.robots.setdefault(name, RobotRun()), max(0.0, time_s), 0)
-        elif event["event"] == "done":
+        elif event["event"] == "done" and "robot" in event:
             _add_sample(run.robots.setdefault(event["robot"], RobotRun()), time_s, 1)
 
 
