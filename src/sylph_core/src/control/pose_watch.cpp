@@ -11,7 +11,8 @@ namespace {
 
 // Limits are what the robot is told; slip and noise of the stamps add to it.
 constexpr double kExcess = 1.5;
-constexpr double kLongestGap_s = 1.0;
+// After a gap the robot has stopped by itself.
+constexpr double kLongestGap_s = 0.3;
 // Stamps that go back by more are of a motion capture that started again.
 constexpr double kClockRestart_s = 0.5;
 
@@ -37,7 +38,6 @@ PoseWatch::PoseWatch(const PoseWatchOptions& options) : options_(options) {
 PoseVerdict PoseWatch::offer(const TimedPose& pose) {
   if (!isFinite(pose.pose)) {
     rejection_ = "pose is not finite";
-    good_ = 0;
     ++rejected_;
     return PoseVerdict::NotFinite;
   }
@@ -63,7 +63,6 @@ bool PoseWatch::agrees(const TimedPose& from, const TimedPose& to) const {
 }
 
 PoseVerdict PoseWatch::reject(const TimedPose& pose) {
-  good_ = 0;
   ++rejected_;
   rejection_ = text("pose jumped by %.2f m", distance(position(last_->pose), position(pose.pose))) +
                text(" and %.0f deg",
@@ -86,11 +85,13 @@ void PoseWatch::take(const TimedPose& pose) {
   if (!is_frozen) {
     unseen_travel_m_ = 0.0;
   }
+  const bool was_blind = rejected_ >= options_.rejected_poses ||
+                         (last_ && pose.received_s - last_->received_s > options_.timeout_s);
   last_ = pose;
   other_place_.reset();
   consistent_ = 0;
   rejected_ = 0;
-  good_ = std::min(good_ + 1, options_.good_poses);
+  good_ = was_blind ? 1 : std::min(good_ + 1, options_.good_poses);
 }
 
 void PoseWatch::commanded(double distance_m) {

@@ -1,0 +1,184 @@
+#include "sylph_core/control/pose_watch.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+namespace sylph {
+namespace {
+
+constexpr double kFrame_s = 1.0 / 120.0;
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// Feeds frames at 120 Hz, each 10 ms old when it arrives.
+class Feed {
+ public:
+  explicit Feed(const PoseWatchOptions& options = {}) : watch(options) {}
+
+  PoseVerdict frame(const Pose2d& pose) {
+    now_s += kFrame_s;
+    return watch.offer({pose, now_s - 0.01, now_s - 0.01, now_s});
+  }
+  PoseVerdict frames(int count, const Pose2d& pose) {
+    PoseVerdict verdict = PoseVerdict::Good;
+    for (int i = 0; i < count; ++i) {
+      verdict = frame(pose);
+    }
+    return verdict;
+  }
+  std::string problem() const { return watch.problem(now_s).value_or(""); }
+
+  PoseWatch watch;
+  double now_s = 100.0;
+};
+
+TEST(PoseWatchTest, TrustsAPoseAfterSeveralGoodOnes) {
+  Feed feed;
+  EXPECT_EQ("no pose yet", feed.problem());
+  feed.frames(2, {1.0, 1.0, 0.0});
+  EXPECT_EQ("waiting for good poses", feed.problem());
+  feed.frame({1.0, 1.0, 0.0});
+  EXPECT_EQ("", feed.problem());
+  EXPECT_NEAR(0.01, feed.watch.age(feed.now_s), 1e-9);
+}
+
+TEST(PoseWatchTest, SilenceMakesBlindAndPosesHeal) {
+  Feed feed;
+  feed.frames(5, {});
+  feed.now_s += 0.09;
+  EXPECT_EQ("", feed.problem());
+  feed.now_s += 0.02;
+  EXPECT_EQ("no good pose for 0.11 s", feed.problem());
+  feed.frame({});
+  EXPECT_EQ("waiting for good poses", feed.problem());
+  feed.frames(2, {});
+  EXPECT_EQ("", feed.problem());
+}
+
+TEST(PoseWatchTest, AnOldStampMakesBlindThoughPosesArrive) {
+  Feed feed;
+  for (int i = 0; i < 10; ++i) {
+    feed.now_s += kFrame_s;
+    feed.watch.offer({{}, feed.now_s - 0.2, feed.now_s - 0.2, feed.now_s});
+  }
+  EXPECT_EQ("pose is 0.20 s old by its stamp", feed.problem());
+}
+
+TEST(PoseWatchTest, AStampFarAheadMakesBlind) {
+  Feed feed;
+  for (int i = 0; i < 10; ++i) {
+    feed.now_s += kFrame_s;
+    feed.watch.offer({{}, feed.now_s + 0.3, feed.now_s + 0.3, feed.now_s});
+  }
+  EXPECT_NE(std::string::npos, feed.problem().find("check the clocks"));
+}
+
+TEST(PoseWatchTest, OneOutlierIsIgnored) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  EXPECT_EQ(PoseVerdict::Jumped, feed.frame({1.4, 1.0, 0.0}));
+  EXPECT_EQ("", feed.problem());
+  EXPECT_DOUBLE_EQ(1.0, feed.watch.last()->pose.x_m);
+}
+
+TEST(PoseWatchTest, NotFiniteMakesBlindAfterThreeFramesAndHeals) {
+  Feed feed;
+  feed.frames(5, {});
+  EXPECT_EQ(PoseVerdict::NotFinite, feed.frames(3, {kNaN, 0.0, 0.0}));
+  EXPECT_EQ("pose is not finite", feed.problem());
+  feed.frames(3, {});
+  EXPECT_EQ("", feed.problem());
+}
+
+TEST(PoseWatchTest, AYawFlipIsAJump) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.1});
+  EXPECT_EQ(PoseVerdict::Jumped, feed.frames(3, {1.0, 1.0, 0.1 - M_PI}));
+  EXPECT_EQ("pose jumped by 0.00 m and 180 deg", feed.problem());
+}
+
+TEST(PoseWatchTest, ANewPlaceIsBelievedWhenPosesAgree) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  EXPECT_EQ(PoseVerdict::Jumped, feed.frames(11, {1.3, 1.0, 0.0}));
+  EXPECT_NE("", feed.problem());
+  EXPECT_EQ(PoseVerdict::Recovered, feed.frame({1.3, 1.0, 0.0}));
+  EXPECT_EQ("", feed.problem());
+  EXPECT_DOUBLE_EQ(1.3, feed.watch.last()->pose.x_m);
+}
+
+TEST(PoseWatchTest, PosesThatJumpToAndFroAreNeverBelieved) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  for (int i = 0; i < 200; ++i) {
+    feed.frame({i % 2 == 0 ? 1.3 : 1.6, 1.0, 0.0});
+  }
+  EXPECT_NE("", feed.problem());
+  EXPECT_DOUBLE_EQ(1.0, feed.watch.last()->pose.x_m);
+}
+
+TEST(PoseWatchTest, ARobotAtFullSpeedNeverJumps) {
+  Feed feed;
+  for (int i = 0; i < 600; ++i) {
+    ASSERT_EQ(PoseVerdict::Good, feed.frame({0.25 * i * kFrame_s, 0.0, 0.5 * i * kFrame_s}));
+  }
+}
+
+TEST(PoseWatchTest, RepeatedAndOutOfOrderFramesDoNotCount) {
+  Feed feed;
+  feed.frames(5, {});
+  const TimedPose last = *feed.watch.last();
+  EXPECT_EQ(PoseVerdict::Repeated, feed.watch.offer(last));
+  TimedPose older = last;
+  older.stamp_s -= 0.1;
+  EXPECT_EQ(PoseVerdict::Repeated, feed.watch.offer(older));
+  feed.now_s += 0.2;
+  TimedPose repeated = last;
+  repeated.received_s = feed.now_s;
+  feed.watch.offer(repeated);
+  EXPECT_NE("", feed.problem());  // fresh messages with an old stamp are no fresh poses
+}
+
+TEST(PoseWatchTest, AMotionCaptureThatStartsAgainIsBelieved) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  double stamp_s = 0.0;
+  PoseVerdict verdict = PoseVerdict::Good;
+  for (int i = 0; i < 12; ++i) {
+    feed.now_s += kFrame_s;
+    stamp_s += kFrame_s;
+    verdict = feed.watch.offer({{1.0, 1.0, 0.0}, stamp_s, feed.now_s - 0.01, feed.now_s});
+  }
+  EXPECT_EQ(PoseVerdict::Recovered, verdict);
+  EXPECT_EQ("", feed.problem());
+}
+
+TEST(PoseWatchTest, AFrozenPoseOfAMovingRobotMakesBlind) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  for (int i = 0; i < 30; ++i) {
+    feed.frame({1.0, 1.0, 0.0});
+    feed.watch.commanded(0.25 * kFrame_s);
+  }
+  EXPECT_EQ("pose is frozen", feed.problem());
+  feed.frame({1.0001, 1.0, 0.0});
+  EXPECT_EQ("", feed.problem());
+}
+
+TEST(PoseWatchTest, AStandingRobotMayHaveAPoseThatDoesNotChange) {
+  Feed feed;
+  feed.frames(1000, {1.0, 1.0, 0.0});
+  EXPECT_EQ("", feed.problem());
+}
+
+TEST(PoseWatchTest, RefusesOptionsThatAreNotPositive) {
+  PoseWatchOptions bad;
+  bad.timeout_s = 0.0;
+  EXPECT_THROW(PoseWatch{bad}, std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sylph

@@ -1,0 +1,277 @@
+#include "sylph_core/control/robot_controller.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <random>
+#include <string>
+
+#include "sylph_core/grid/rng.hpp"
+
+namespace sylph {
+namespace {
+
+constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
+
+/// One robot in a 5 x 5 world, in simulated time: 50 Hz control, 100 Hz poses, 10 Hz central node.
+class World {
+ public:
+  explicit World(const Cell& start, const RobotControllerOptions& options = {})
+      : grid(5, 5), frame(grid, 0.3), controller(options, grid, frame) {
+    pose = {frame.toPoint(start).x, frame.toPoint(start).y, 0.0};
+    central_sends = true;
+    cameras_send = true;
+  }
+
+  /// Tasks along a row of plan 1, from (2,0) eastwards.
+  void sendEastward(int count) {
+    for (int k = 0; k < count; ++k) {
+      controller.onTask({1, static_cast<std::uint32_t>(k), {2, k}, {2, k + 1}, false}, now_s);
+    }
+  }
+
+  void run(double duration_s) {
+    const double end_s = now_s + duration_s - 1e-9;
+    while (now_s < end_s) {
+      step();
+    }
+  }
+
+  RobotStatus status() const { return controller.status(now_s); }
+  double speedNow() const { return speed(command_robot); }
+  double x() const { return pose.x_m; }
+
+  Grid grid;
+  CellFrame frame;
+  RobotController controller;
+  Pose2d pose;           // true
+  Pose2d camera_offset;  // added to what the cameras tell
+  Twist2d command_robot;
+  CentralMode mode = CentralMode::Run;
+  bool central_sends = true;
+  bool cameras_send = true;
+  double now_s = 50.0;
+
+ private:
+  void step() {  // 0.01 s
+    if (central_sends && step_ % 10 == 0) {
+      controller.onCentralState(mode, now_s);
+    }
+    if (cameras_send) {
+      const double noise_m = 1e-4 * normal_(rng_);
+      controller.onPose({{pose.x_m + camera_offset.x_m + noise_m, pose.y_m + camera_offset.y_m,
+                          pose.yaw_rad + camera_offset.yaw_rad},
+                         now_s,
+                         now_s,
+                         now_s});
+    }
+    if (step_ % 2 == 0) {
+      command_robot = controller.update(now_s);
+    }
+    const Twist2d target_map = mapFromRobot(command_robot, pose.yaw_rad);
+    const double share = 1.0 - std::exp(-0.01 / 0.1);
+    wheel_map_.x_mps += share * (target_map.x_mps - wheel_map_.x_mps);
+    wheel_map_.y_mps += share * (target_map.y_mps - wheel_map_.y_mps);
+    pose.x_m += 0.01 * wheel_map_.x_mps;
+    pose.y_m += 0.01 * wheel_map_.y_mps;
+    pose.yaw_rad += 0.01 * target_map.turn_radps;
+    ++step_;
+    now_s += 0.01;
+  }
+
+  int step_ = 0;
+  Twist2d wheel_map_;
+  Rng rng_{1};
+  std::normal_distribution<double> normal_;
+};
+
+TEST(RobotControllerTest, CarriesOutItsTasks) {
+  World world({2, 0});
+  world.run(0.2);
+  EXPECT_EQ(RobotState::Idle, world.status().state);
+  world.sendEastward(3);
+  EXPECT_EQ(3, world.status().accepted);
+  world.run(1.0);
+  EXPECT_EQ(RobotState::Moving, world.status().state);
+  world.run(3.5);
+  EXPECT_EQ(RobotState::Idle, world.status().state);
+  EXPECT_EQ(3, world.status().done);
+  EXPECT_NEAR(1.05, world.x(), 0.005);
+  EXPECT_LT(world.speedNow(), 0.005);
+}
+
+TEST(RobotControllerTest, DoesNotMoveBeforeTheCentralNodeIsHeard) {
+  World world({2, 0});
+  world.central_sends = false;
+  world.run(0.2);
+  world.sendEastward(1);
+  world.run(2.0);
+  EXPECT_EQ(RobotState::Holding, world.status().state);
+  EXPECT_NEAR(0.15, world.x(), 1e-6);
+  world.central_sends = true;
+  world.run(2.0);
+  EXPECT_EQ(1, world.status().done);
+}
+
+TEST(RobotControllerTest, RampsToZeroWithoutPosesAndGoesOnByItself) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(2.0);
+  world.cameras_send = false;
+  world.run(0.1);
+  EXPECT_GT(world.speedNow(), 0.2);
+  world.run(0.06);
+  EXPECT_EQ(RobotState::Blind, world.status().state);
+  world.run(0.25);
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  world.cameras_send = true;
+  world.run(4.0);
+  EXPECT_EQ(4, world.status().done);
+}
+
+TEST(RobotControllerTest, APoseThatIsNotFiniteStopsIt) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(2.0);
+  world.camera_offset.x_m = kNaN;
+  world.run(0.4);
+  EXPECT_EQ(RobotState::Blind, world.status().state);
+  EXPECT_EQ("pose is not finite", world.status().detail);
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+}
+
+TEST(RobotControllerTest, AStopRampsToZeroAtOnceAndARunGoesOn) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(2.0);
+  world.mode = CentralMode::Stop;
+  world.run(0.1);
+  const double x_m = world.x();
+  world.run(0.3);
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  EXPECT_LT(world.x() - x_m, 0.06);
+  EXPECT_EQ(RobotState::Holding, world.status().state);
+  world.mode = CentralMode::Run;
+  world.run(4.0);
+  EXPECT_EQ(4, world.status().done);
+}
+
+TEST(RobotControllerTest, FinishesItsTaskWhenTheCentralNodeFallsSilent) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(0.5);
+  world.central_sends = false;
+  world.run(4.0);
+  EXPECT_EQ(RobotState::Holding, world.status().state);
+  EXPECT_NE(std::string::npos, world.status().detail.find("silent"));
+  EXPECT_EQ(1, world.status().done);
+  EXPECT_NEAR(0.45, world.x(), 0.012);
+  world.central_sends = true;
+  world.run(4.5);
+  EXPECT_EQ(4, world.status().done);
+}
+
+TEST(RobotControllerTest, AnEmergencyStopLastsUntilStopAndResume) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(2.0);
+  world.controller.onEmergencyStop(true);
+  world.run(0.5);
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  world.controller.onEmergencyStop(false);
+  world.run(1.0);
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  world.mode = CentralMode::Stop;
+  world.run(0.5);
+  world.mode = CentralMode::Run;
+  world.run(4.0);
+  EXPECT_EQ(4, world.status().done);
+}
+
+TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(2);
+  world.run(1.0);
+  world.camera_offset.y_m = 0.5;
+  world.run(0.5);
+  EXPECT_EQ(RobotState::Holding, world.status().state);
+  EXPECT_NE(std::string::npos, world.status().detail.find("put it back"));
+  world.camera_offset.y_m = 0.0;
+  world.run(4.0);
+  EXPECT_EQ(2, world.status().done);
+}
+
+TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(1);
+  world.run(0.5);
+  world.pose.y_m += 0.08;
+  world.run(4.0);
+  EXPECT_EQ(1, world.status().done);
+  EXPECT_LT(world.status().tracking_error_m, 0.01);
+}
+
+TEST(RobotControllerTest, AYawFlipNeverTurnsTheRobot) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(2);
+  world.run(0.5);
+  world.camera_offset.yaw_rad = M_PI;
+  world.run(2.0);
+  EXPECT_EQ(RobotState::Holding, world.status().state);
+  EXPECT_NE(std::string::npos, world.status().detail.find("heading"));
+  EXPECT_DOUBLE_EQ(0.0, world.command_robot.turn_radps);
+  world.camera_offset.yaw_rad = 0.0;
+  world.run(4.0);
+  EXPECT_EQ(2, world.status().done);
+}
+
+TEST(RobotControllerTest, ANodeThatStartsAgainGoesOnFromItsPastTasks) {
+  World world({2, 2});
+  world.run(0.2);
+  for (std::uint32_t k = 0; k < 4; ++k) {
+    const int col = static_cast<int>(k);
+    world.controller.onTask({7, k, {2, col}, {2, col + 1}, k < 2}, world.now_s);
+  }
+  EXPECT_EQ(2, world.status().done);
+  world.run(4.0);
+  EXPECT_EQ(4, world.status().done);
+  EXPECT_NEAR(1.35, world.x(), 0.005);
+}
+
+TEST(RobotControllerTest, ANewPlanGoesOnWhereTheOldOneEnded) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(1);
+  world.run(2.5);
+  EXPECT_EQ(TaskVerdict::Accepted,
+            world.controller.onTask({2, 0, {2, 1}, {1, 1}, false}, world.now_s).verdict);
+  world.run(2.5);
+  EXPECT_EQ(2u, world.status().plan_id);
+  EXPECT_EQ(1, world.status().done);
+  EXPECT_NEAR(1.05, world.pose.y_m, 0.005);
+}
+
+TEST(RobotControllerTest, GoingDownRampsToZero) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(2.0);
+  Twist2d command;
+  for (int tick = 0; tick < 15; ++tick) {
+    world.now_s += 0.02;
+    command = world.controller.rampDown(world.now_s);
+  }
+  EXPECT_DOUBLE_EQ(0.0, speed(command));
+}
+
+}  // namespace
+}  // namespace sylph
