@@ -39,4 +39,7 @@ constexpr char kSuiteNamespace[] = "/sylph";
 /// Simulated seconds per second, a parameter that the launch file sets; absent on real robots.
 constexpr char kSpeedParameter[] = "/sylph/speed";
 
+/// Folder of the present run, set by the central node.
+constexpr char kRunFolderParameter[] = "/sylph/run_folder";
+
 }  // namespace sylph_ros

@@ -1,0 +1,88 @@
+#pragma once
+
+#include <diagnostic_updater/diagnostic_updater.h>
+#include <ros/ros.h>
+#include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
+#include <sylph_msgs/DeclareLost.h>
+#include <sylph_msgs/JointAction.h>
+#include <sylph_msgs/SeparationState.h>
+#include <sylph_msgs/SimulationTruth.h>
+#include <sylph_msgs/TaskReport.h>
+
+#include <string>
+#include <vector>
+
+#include "sylph_adg_central/event_log.hpp"
+#include "sylph_adg_central/options.hpp"
+#include "sylph_adg_central/plan_assembler.hpp"
+#include "sylph_adg_central/run_folder.hpp"
+#include "sylph_adg_central/run_record.hpp"
+#include "sylph_core/adg/execution.hpp"
+#include "sylph_core/control/safety_margin.hpp"
+#include "sylph_ros/steady_clock.hpp"
+
+namespace sylph_adg_central {
+
+/// Takes a plan's joint actions and hands tasks out to the robots. What to do is decided by
+/// sylph::Execution; this class carries messages, the clock and the event log to it and back.
+class CentralNode {
+ public:
+  /// @throws std::runtime_error on a bad parameter, experiment or event log, and if the experiment
+  /// leaves no safety margin
+  CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
+  ~CentralNode();
+  CentralNode(const CentralNode&) = delete;
+  CentralNode& operator=(const CentralNode&) = delete;
+
+ private:
+  void subscribe();
+  void advertiseServices();
+  void rebuild();
+
+  void onJointAction(const sylph_msgs::JointAction& message);
+  void onReport(int robot, const sylph_msgs::TaskReport& message);
+  void onSeparation(const sylph_msgs::SeparationState& message);
+  void onEmergencyStop(const std_msgs::Bool& message);
+  void onTruth(const sylph_msgs::SimulationTruth& message);
+  bool onDeclareLost(sylph_msgs::DeclareLost::Request& request,
+                     sylph_msgs::DeclareLost::Response& response);
+  bool setMode(sylph::ExecutionMode mode, std_srvs::Trigger::Response& response);
+  void onTimer();
+
+  /// Logs what has happened, then sends what follows from it.
+  void flush();
+  void onEvent(const sylph::ExecutionEvent& event);
+  void publishState();
+  void saveResult();
+  void reportDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status);
+
+  ros::NodeHandle nh_;
+  ros::NodeHandle private_nh_;
+  sylph_ros::SteadyClock clock_;
+  sylph::Experiment experiment_;
+  sylph::SafetyMargin margin_;
+  CentralOptions options_;
+  sylph::CellFrame frame_;
+  std::vector<std::string> names_;
+  RunFolder folder_;
+  EventLog log_;
+  sylph::Execution execution_;
+  RunRecord record_;
+  PlanAssembler assembler_;
+  bool is_emergency_ = false;
+  std::string emergency_reason_ = "the separation monitor stops all robots";
+  bool has_changed_ = true;       ///< since the last AdgState
+  double state_sent_s_ = 0.0;     ///< steady time
+  bool is_result_due_ = false;    ///< a mission has begun that has no result yet
+  std::uint32_t last_steps_ = 0;  ///< of the plan that is carried out
+
+  std::vector<ros::Publisher> task_publishers_;
+  std::vector<ros::Subscriber> subscribers_;
+  std::vector<ros::ServiceServer> services_;
+  ros::Publisher state_publisher_;
+  ros::SteadyTimer timer_;
+  diagnostic_updater::Updater diagnostics_;
+};
+
+}  // namespace sylph_adg_central

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <ros/node_handle.h>
+
+#include <string>
+
+#include "sylph_core/adg/execution_types.hpp"
+#include "sylph_core/experiment/experiment.hpp"
+
+namespace sylph_adg_central {
+
+/// Settings of the central node. Times are seconds of the lab, which pass faster in a simulation.
+struct CentralOptions {
+  sylph::ExecutionLimits limits;
+  double heartbeat_period_s = 0.1;  ///< AdgState at least so often, > 0
+  std::string run_folder;           ///< empty: made from the time and the experiment's name
+};
+
+/// @throws std::runtime_error with one line on a bad or unknown parameter
+CentralOptions loadCentralOptions(const ros::NodeHandle& private_nh,
+                                  const sylph::Experiment& experiment);
+
+}  // namespace sylph_adg_central

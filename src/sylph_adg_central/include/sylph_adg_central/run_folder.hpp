@@ -1,0 +1,35 @@
+#pragma once
+
+#include <ctime>
+#include <string>
+
+#include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/mapf/types.hpp"
+
+namespace sylph_adg_central {
+
+/// The folder of one run and what is copied into it.
+class RunFolder {
+ public:
+  /// Makes the folder unless it exists and puts a copy of the experiment into it.
+  /// @throws std::runtime_error naming what cannot be made or written
+  RunFolder(std::string path, const sylph::Experiment& experiment);
+
+  const std::string& path() const { return path_; }
+  std::string eventLog() const { return path_ + "/events.jsonl"; }
+  std::string result() const { return path_ + "/result.yaml"; }
+  std::string plan() const { return path_ + "/plan.txt"; }
+
+ private:
+  std::string path_;
+};
+
+/// ROS_HOME or ~/.ros, then sylph/<stamp>_<experiment>, stamp in local time.
+/// @throws std::runtime_error if neither ROS_HOME nor HOME is set
+std::string defaultRunFolder(const std::string& experiment, std::time_t now);
+
+/// One configuration a line: "step: (row,col) (row,col) ...".
+/// @throws std::runtime_error if the file cannot be written
+void writePlan(const sylph::Plan& plan, const std::string& path);
+
+}  // namespace sylph_adg_central

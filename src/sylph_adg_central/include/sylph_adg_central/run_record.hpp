@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "sylph_adg_central/event_log.hpp"
+#include "sylph_core/adg/execution.hpp"
+#include "sylph_core/adg/mission_plan.hpp"
+
+namespace sylph_adg_central {
+
+/// What `result.yaml` says of a mission.
+struct RunResult {
+  bool success = false;  ///< every robot is on its goal, and ground truth, if heard, saw no contact
+  std::string message;   ///< how it ended
+  std::string planner;
+  int robots = 0;
+  int arrived = 0;
+  std::uint32_t plan_steps = 0;  ///< of the last plan, as is sum_of_costs
+  long sum_of_costs = 0;
+  double planning_s = 0.0;   ///< wall time of all plans [s]
+  double execution_s = 0.0;  ///< ROS time from the first task released to the last one done [s]
+  int critical_path_cells = 0;
+  double ideal_execution_s = 0.0;  ///< critical path at the speed limit [s]
+  std::optional<double> min_separation_m;
+  double max_tracking_error_m = 0.0;
+  int replans = 0;
+  int stops = 0;
+  std::optional<std::uint32_t> collisions;  ///< of the ground truth of a simulation
+};
+
+/// @throws std::runtime_error if the file cannot be written
+void writeResult(const RunResult& result, const std::string& path);
+
+/// Sums up a mission from what happens, and from what happened before a restart.
+class RunRecord {
+ public:
+  void add(const StampedEvent& event);
+  void addTrackingError(double error_m);
+  void setMinSeparation(double separation_m) { min_separation_m_ = separation_m; }
+  void setCollisions(std::uint32_t collisions) { collisions_ = collisions; }
+
+  /// ROS time since the first task was released; until the last one was done once it is over [s].
+  double elapsed(double stamp_s, bool is_over) const;
+
+  /// @param cell_s  time for one cell at the speed limit [s]
+  RunResult result(const sylph::Execution& execution, double cell_s) const;
+
+ private:
+  std::optional<double> first_released_s_;
+  double last_done_s_ = 0.0;
+  double planning_s_ = 0.0;
+  int replans_ = 0;
+  int stops_ = 0;
+  int mode_ = 0;
+  double max_tracking_error_m_ = 0.0;
+  std::optional<double> min_separation_m_;
+  std::optional<std::uint32_t> collisions_;
+};
+
+}  // namespace sylph_adg_central

@@ -1,0 +1,327 @@
+#include "sylph_adg_central/central_node.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "sylph_adg_central/conversions.hpp"
+#include "sylph_ros/experiment.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_adg_central {
+namespace {
+
+using sylph::ExecutionMode;
+using Kind = sylph::ExecutionEvent::Kind;
+
+/// AdgState on change, but not more often than this [s].
+constexpr double kShortestStatePeriod = 0.02;
+constexpr std::uint32_t kQueue = 1000;
+
+std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const sylph::RobotSpec& robot : experiment.robots) {
+    names.push_back(robot.name);
+  }
+  return names;
+}
+
+/// The folder given, or a new one that a restarted node finds again.
+std::string runFolderPath(const CentralOptions& options, const sylph::Experiment& experiment,
+                          const ros::NodeHandle& private_nh) {
+  std::string path = options.run_folder;
+  if (path.empty()) {
+    path = defaultRunFolder(experiment.name, std::time(nullptr));
+    private_nh.setParam("run_folder", path);
+  }
+  private_nh.setParam(sylph_ros::kRunFolderParameter, path);
+  return path;
+}
+
+}  // namespace
+
+CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : nh_(nh),
+      private_nh_(private_nh),
+      clock_(sylph_ros::SteadyClock::fromParameter(nh)),
+      experiment_(sylph_ros::loadExperiment(private_nh)),
+      margin_(sylph::requireSafetyMargin(experiment_)),
+      options_(loadCentralOptions(private_nh, experiment_)),
+      frame_(experiment_.grid, experiment_.cell_size_m),
+      names_(namesOf(experiment_)),
+      folder_(runFolderPath(options_, experiment_, private_nh), experiment_),
+      log_(folder_.eventLog(), names_),
+      execution_(names_, experiment_.grid.rows(), experiment_.grid.cols(), experiment_.cell_size_m,
+                 options_.limits),
+      diagnostics_(nh, private_nh) {
+  ROS_INFO("%s", margin_.summary().c_str());
+  ROS_INFO("run folder: %s", folder_.path().c_str());
+  rebuild();
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("execution", this, &CentralNode::reportDiagnostics);
+  state_publisher_ = nh_.advertise<sylph_msgs::AdgState>(sylph_ros::kAdgStateTopic, 10);
+  for (const std::string& name : names_) {
+    task_publishers_.push_back(
+        nh_.advertise<sylph_msgs::Task>("/" + name + "/" + sylph_ros::kTaskTopic, kQueue));
+  }
+  subscribe();
+  advertiseServices();
+  timer_ = nh_.createSteadyTimer(clock_.wall(options_.heartbeat_period_s),
+                                 [this](const ros::SteadyTimerEvent&) { onTimer(); });
+}
+
+CentralNode::~CentralNode() {
+  if (is_result_due_) {
+    try {
+      saveResult();
+    } catch (const std::exception& error) {
+      ROS_ERROR("%s", error.what());
+    }
+  }
+}
+
+void CentralNode::rebuild() {
+  for (const StampedEvent& past : log_.past()) {
+    try {
+      execution_.replay(past.event);
+    } catch (const std::exception& error) {
+      throw std::runtime_error(folder_.eventLog() +
+                               ": does not fit the experiment: " + error.what());
+    }
+    record_.add(past);
+  }
+  if (!log_.past().empty()) {
+    ROS_WARN("rebuilt from %zu events: plan %u, %s", log_.past().size(), execution_.planId(),
+             toString(execution_.phase()).c_str());
+  }
+  const auto phase = execution_.phase();
+  is_result_due_ = execution_.plan() != nullptr && phase != sylph::ExecutionPhase::Finished &&
+                   phase != sylph::ExecutionPhase::Refused;
+  last_steps_ = execution_.plan() ? execution_.plan()->steps() : 0;
+}
+
+void CentralNode::subscribe() {
+  subscribers_.push_back(
+      nh_.subscribe(sylph_ros::kJointActionsTopic, kQueue, &CentralNode::onJointAction, this));
+  subscribers_.push_back(
+      nh_.subscribe(sylph_ros::kSeparationTopic, 1, &CentralNode::onSeparation, this));
+  subscribers_.push_back(
+      nh_.subscribe(sylph_ros::kEmergencyStopTopic, 1, &CentralNode::onEmergencyStop, this));
+  subscribers_.push_back(
+      nh_.subscribe(sylph_ros::kSimulationTruthTopic, 1, &CentralNode::onTruth, this));
+  for (int robot = 0; robot < execution_.robotCount(); ++robot) {
+    subscribers_.push_back(nh_.subscribe<sylph_msgs::TaskReport>(
+        "/" + execution_.name(robot) + "/" + sylph_ros::kTaskReportTopic, 10,
+        [this, robot](const sylph_msgs::TaskReport::ConstPtr& message) {
+          onReport(robot, *message);
+        }));
+  }
+}
+
+void CentralNode::advertiseServices() {
+  const auto advertise = [this](const char* name, ExecutionMode mode) {
+    services_.push_back(
+        nh_.advertiseService<std_srvs::Trigger::Request, std_srvs::Trigger::Response>(
+            name, [this, mode](std_srvs::Trigger::Request& /*request*/,
+                               std_srvs::Trigger::Response& response) {
+              return setMode(mode, response);
+            }));
+  };
+  advertise(sylph_ros::kPauseService, ExecutionMode::Pause);
+  advertise(sylph_ros::kStopService, ExecutionMode::Stop);
+  advertise(sylph_ros::kResumeService, ExecutionMode::Run);
+  services_.push_back(
+      nh_.advertiseService(sylph_ros::kDeclareLostService, &CentralNode::onDeclareLost, this));
+}
+
+void CentralNode::onJointAction(const sylph_msgs::JointAction& message) {
+  if (message.plan_id == execution_.planId() &&
+      execution_.phase() != sylph::ExecutionPhase::Receiving) {
+    return;  // carried out or refused already: the sender does not know it yet
+  }
+  try {
+    std::optional<sylph::MissionPlan> plan = assembler_.add(message);
+    if (assembler_.planId() == message.plan_id && message.replaces_plan_id == 0) {
+      execution_.announce(message.plan_id);
+    }
+    if (plan) {
+      execution_.submit(std::move(*plan), clock_.now());
+    }
+  } catch (const std::invalid_argument& error) {
+    execution_.refuse(message.plan_id, error.what());
+  }
+  flush();
+}
+
+void CentralNode::onReport(int robot, const sylph_msgs::TaskReport& message) {
+  const std::optional<sylph::RobotReport> report = fromMessage(message);
+  if (!report) {
+    ROS_WARN_THROTTLE(1.0, "malformed report of %s", execution_.name(robot).c_str());
+    return;
+  }
+  execution_.report(robot, *report, clock_.now());
+  if (is_result_due_) {
+    record_.addTrackingError(message.tracking_error_m);
+  }
+  flush();
+}
+
+void CentralNode::onSeparation(const sylph_msgs::SeparationState& message) {
+  if (std::isfinite(message.min_separation_m)) {
+    record_.setMinSeparation(message.min_separation_m);
+  }
+  if (message.violated) {
+    emergency_reason_ = "separation monitor: " + message.min_robot_a + " and " +
+                        message.min_robot_b + " came too close";
+  }
+}
+
+void CentralNode::onEmergencyStop(const std_msgs::Bool& message) {
+  is_emergency_ = message.data != 0;
+  if (is_emergency_) {
+    execution_.setMode(ExecutionMode::Stop, emergency_reason_);
+    flush();
+  }
+}
+
+void CentralNode::onTruth(const sylph_msgs::SimulationTruth& message) {
+  record_.setCollisions(message.collisions);
+}
+
+bool CentralNode::onDeclareLost(sylph_msgs::DeclareLost::Request& request,
+                                sylph_msgs::DeclareLost::Response& response) {
+  const std::optional<int> robot = execution_.indexOf(request.robot_id);
+  response.success = static_cast<std::uint8_t>(robot.has_value());
+  if (!robot) {
+    response.message = "robot '" + request.robot_id + "' is not in the lab";
+    return true;
+  }
+  execution_.declareLost(*robot, "declared by the operator");
+  response.message = request.robot_id + " is lost; " + toString(execution_.phase());
+  flush();
+  return true;
+}
+
+bool CentralNode::setMode(ExecutionMode mode, std_srvs::Trigger::Response& response) {
+  response.success = static_cast<std::uint8_t>(mode != ExecutionMode::Run || !is_emergency_);
+  if (response.success == 0) {
+    response.message = emergency_reason_ + ": reset the separation monitor first";
+    return true;
+  }
+  execution_.setMode(mode, "by the operator");
+  response.message = toString(mode);
+  flush();
+  return true;
+}
+
+void CentralNode::onTimer() {
+  execution_.tick(clock_.now());
+  flush();
+  if (clock_.now() - state_sent_s_ >= options_.heartbeat_period_s / 2.0) {
+    publishState();
+  }
+  diagnostics_.update();
+}
+
+void CentralNode::flush() {
+  const double stamp_s = ros::Time::now().toSec();
+  const std::vector<sylph::ExecutionEvent> events = execution_.takeEvents();
+  for (const sylph::ExecutionEvent& event : events) {
+    log_.append({stamp_s, event});
+    record_.add({stamp_s, event});
+  }
+  for (const sylph::TaskOrder& order : execution_.takeOrders(clock_.now())) {
+    sylph_msgs::Task task = toMessage(order, execution_.name(order.robot), frame_);
+    task.header.stamp = ros::Time::now();
+    task_publishers_[static_cast<std::size_t>(order.robot)].publish(task);
+  }
+  for (const sylph::ExecutionEvent& event : events) {
+    onEvent(event);
+  }
+  has_changed_ = has_changed_ || !events.empty();
+  if (has_changed_ && clock_.now() - state_sent_s_ >= kShortestStatePeriod) {
+    publishState();
+  }
+}
+
+void CentralNode::onEvent(const sylph::ExecutionEvent& event) {
+  switch (event.kind) {
+    case Kind::Started:
+      last_steps_ = event.plan->steps();
+      is_result_due_ = true;
+      writePlan(event.plan->plan, folder_.plan());
+      ROS_INFO("plan %u of %zu robots and %u steps is carried out", event.plan_id,
+               event.plan->robots.size(), event.plan->steps());
+      break;
+    case Kind::Refused:
+      ROS_ERROR("refused: %s", event.text.c_str());
+      is_result_due_ = true;
+      saveResult();
+      break;
+    case Kind::Condition:
+      ROS_WARN("%s is %s%s%s", execution_.name(event.robot).c_str(),
+               toString(static_cast<sylph::RobotCondition>(event.number)).c_str(),
+               event.text.empty() ? "" : ": ", event.text.c_str());
+      break;
+    case Kind::Lost:
+      ROS_WARN("%s is lost: %s", execution_.name(event.robot).c_str(), event.text.c_str());
+      break;
+    case Kind::Mode:
+      ROS_WARN("%s: %s", toString(static_cast<ExecutionMode>(event.number)).c_str(),
+               event.text.c_str());
+      break;
+    case Kind::Phase:
+      if (static_cast<sylph::ExecutionPhase>(event.number) == sylph::ExecutionPhase::Finished) {
+        saveResult();
+      }
+      break;
+    default:
+      break;
+  }
+}
+
+void CentralNode::publishState() {
+  has_changed_ = false;
+  state_sent_s_ = clock_.now();
+  sylph_msgs::AdgState state = toMessage(execution_, state_sent_s_);
+  state.header.stamp = ros::Time::now();
+  const bool is_receiving = execution_.planId() == assembler_.planId() && assembler_.planId() > 0;
+  state.steps = is_receiving ? assembler_.steps() : last_steps_;
+  state.steps_received = is_receiving ? assembler_.stepsReceived() : last_steps_;
+  state.elapsed_s = record_.elapsed(state.header.stamp.toSec(),
+                                    execution_.phase() == sylph::ExecutionPhase::Finished);
+  state_publisher_.publish(state);
+}
+
+void CentralNode::saveResult() {
+  is_result_due_ = false;
+  const double cell_s = experiment_.cell_size_m / experiment_.execution.speed_limit_mps;
+  const RunResult result = record_.result(execution_, cell_s);
+  writeResult(result, folder_.result());
+  ROS_INFO("%s: %s", folder_.result().c_str(), result.message.c_str());
+}
+
+void CentralNode::reportDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  status.summary(DiagnosticStatus::OK, toString(execution_.phase()));
+  if (execution_.phase() == sylph::ExecutionPhase::Refused) {
+    status.summary(DiagnosticStatus::ERROR, execution_.message());
+  } else if (execution_.mode() != ExecutionMode::Run) {
+    status.mergeSummary(DiagnosticStatus::WARN,
+                        toString(execution_.mode()) + ": " + execution_.message());
+  }
+  const double now_s = clock_.now();
+  for (int robot = 0; robot < execution_.robotCount(); ++robot) {
+    const std::string trouble = execution_.monitor(robot).trouble(now_s);
+    if (!trouble.empty()) {
+      status.mergeSummary(DiagnosticStatus::WARN, execution_.name(robot) + ": " + trouble);
+    }
+  }
+  status.add("plan_id", execution_.planId());
+  status.add("robots", execution_.missionRobots());
+  status.add("mode", toString(execution_.mode()));
+  status.add("run_folder", folder_.path());
+  status.add("promised_separation_m", margin_.promisedSeparation());
+}
+
+}  // namespace sylph_adg_central

@@ -1,0 +1,53 @@
+#include "sylph_adg_central/event_log.hpp"
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <stdexcept>
+
+#include "sylph_adg_central/event_json.hpp"
+
+namespace sylph_adg_central {
+namespace {
+
+std::string readAll(const std::string& path) {
+  const std::ifstream file(path, std::ios::binary);
+  std::ostringstream content;
+  content << file.rdbuf();
+  return file ? content.str() : std::string();
+}
+
+}  // namespace
+
+EventLog::EventLog(std::string path, std::vector<std::string> names)
+    : path_(std::move(path)), names_(std::move(names)) {
+  const std::string content = readAll(path_);
+  const std::size_t complete =
+      content.rfind('\n') == std::string::npos ? 0 : content.rfind('\n') + 1;
+  std::istringstream lines(content.substr(0, complete));
+  std::string line;
+  for (int number = 1; std::getline(lines, line); ++number) {
+    try {
+      const nlohmann::json object = nlohmann::json::parse(line);
+      past_.push_back({object.at("stamp").get<double>(), eventFromJson(object, names_)});
+    } catch (const std::exception& error) {
+      throw std::runtime_error(path_ + ":" + std::to_string(number) + ": " + error.what());
+    }
+  }
+  if (complete < content.size()) {
+    std::filesystem::resize_file(path_, complete);
+  }
+  file_.open(path_, std::ios::app | std::ios::binary);
+  if (!file_) {
+    throw std::runtime_error(path_ + ": cannot be written");
+  }
+}
+
+void EventLog::append(const StampedEvent& event) {
+  file_ << toJson(event.event, event.stamp_s, names_).dump() << '\n' << std::flush;
+  if (!file_) {
+    throw std::runtime_error(path_ + ": cannot be written");
+  }
+}
+
+}  // namespace sylph_adg_central

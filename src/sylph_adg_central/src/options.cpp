@@ -1,0 +1,50 @@
+#include "sylph_adg_central/options.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "sylph_ros/parameters.hpp"
+
+namespace sylph_adg_central {
+namespace {
+
+/// How far off the centre of its start cell a robot may stand without reaching into the next one.
+double startOffset(const sylph::Experiment& experiment) {
+  double offset_m = experiment.cell_size_m / 2.0;
+  for (const sylph::RobotSpec& robot : experiment.robots) {
+    const double reach_m = std::max(robot.length_m, robot.width_m) / 2.0;
+    offset_m = std::min(offset_m, experiment.cell_size_m / 2.0 - reach_m);
+  }
+  return offset_m;
+}
+
+void readPositive(const ros::NodeHandle& nh, const std::string& name, double& value) {
+  sylph_ros::read(nh, name, value);
+  sylph_ros::requirePositive(nh, name, value);
+}
+
+}  // namespace
+
+CentralOptions loadCentralOptions(const ros::NodeHandle& private_nh,
+                                  const sylph::Experiment& experiment) {
+  sylph_ros::requireKnown(private_nh, {"experiment", "seed", "planner", "run_folder", "lookahead",
+                                       "heartbeat_period_s", "resend_after_s", "silent_after_s",
+                                       "stuck_after_s", "lost_after_s", "start_wait_s"});
+  CentralOptions options;
+  sylph_ros::read(private_nh, "run_folder", options.run_folder);
+  readPositive(private_nh, "heartbeat_period_s", options.heartbeat_period_s);
+  sylph::ExecutionLimits& limits = options.limits;
+  sylph_ros::read(private_nh, "lookahead", limits.lookahead);
+  sylph_ros::requireInRange(private_nh, "lookahead", limits.lookahead, 1, 100);
+  readPositive(private_nh, "resend_after_s", limits.resend_after_s);
+  readPositive(private_nh, "silent_after_s", limits.silent_after_s);
+  readPositive(private_nh, "stuck_after_s", limits.stuck_after_s);
+  readPositive(private_nh, "start_wait_s", limits.start_wait_s);
+  sylph_ros::read(private_nh, "lost_after_s", limits.lost_after_s);
+  sylph_ros::requireInRange(private_nh, "lost_after_s", limits.lost_after_s, 0.0,
+                            std::numeric_limits<double>::max());
+  limits.start_offset_m = startOffset(experiment);
+  return options;
+}
+
+}  // namespace sylph_adg_central

@@ -1,0 +1,234 @@
+#include "sylph_adg_central/central_node.hpp"
+
+#include <gtest/gtest.h>
+#include <ros/callback_queue.h>
+#include <sylph_msgs/AdgState.h>
+#include <sylph_msgs/RobotExecution.h>
+#include <yaml-cpp/yaml.h>
+
+#include <atomic>
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <set>
+#include <thread>
+
+#include "mock_robot.hpp"
+#include "sylph_core/adg/mission_plan.hpp"
+#include "sylph_ros/conversions.hpp"
+
+namespace sylph_adg_central {
+namespace {
+
+using sylph::Cell;
+using sylph::Plan;
+using sylph_msgs::AdgState;
+using sylph_msgs::RobotExecution;
+
+/// The joint actions of a plan; every robot's partner is the first one.
+std::vector<sylph_msgs::JointAction> jointActions(const Plan& plan,
+                                                  const std::vector<std::string>& robots,
+                                                  std::uint32_t plan_id,
+                                                  std::uint32_t replaces_plan_id = 0) {
+  std::vector<sylph_msgs::JointAction> messages;
+  const std::size_t steps = plan.size() - 1;
+  for (std::size_t step = 0; step < std::max<std::size_t>(steps, 1); ++step) {
+    sylph_msgs::JointAction message;
+    message.plan_id = plan_id;
+    message.replaces_plan_id = replaces_plan_id;
+    message.step = static_cast<std::uint32_t>(step);
+    message.steps = static_cast<std::uint32_t>(steps);
+    message.planner = "test";
+    message.planning_s = 0.5;
+    for (std::size_t agent = 0; agent < robots.size(); ++agent) {
+      sylph_msgs::AgentAction action;
+      const Cell to = plan[std::min(step + 1, steps)][agent];
+      action.robot = robots[agent];
+      action.action = sylph_ros::toMessage(sylph::actionBetween(plan[step][agent], to).value());
+      action.from = sylph_ros::toMessage(plan[step][agent]);
+      action.to = sylph_ros::toMessage(to);
+      action.goal = sylph_ros::toMessage(plan.back()[agent]);
+      action.partner = agent == 0 ? "" : robots.front();
+      action.svo_deg = 15.0F;
+      message.agents.push_back(action);
+    }
+    messages.push_back(message);
+  }
+  return messages;
+}
+
+/// Three robots: robot_0 follows robot_1 along the top row, robot_2 crosses behind them.
+Plan mission() {
+  return {{{0, 0}, {0, 1}, {3, 3}}, {{0, 1}, {0, 2}, {3, 3}}, {{0, 2}, {0, 3}, {3, 3}},
+          {{0, 3}, {0, 4}, {2, 3}}, {{0, 4}, {0, 5}, {1, 3}}, {{0, 4}, {0, 5}, {0, 3}}};
+}
+
+class CentralNodeTest : public testing::Test {
+ protected:
+  CentralNodeTest() : private_nh_("~"), frame_(5, 0.3) {
+    folder_ = testing::TempDir() + "sylph_" + std::to_string(ros::WallTime::now().toNSec());
+    private_nh_.setParam("run_folder", folder_);
+    private_nh_.setParam("lost_after_s", 0.0);
+    private_nh_.setParam("silent_after_s", 1.0);
+    private_nh_.setParam("stuck_after_s", 5.0);
+    publisher_ = nh_.advertise<sylph_msgs::JointAction>(sylph_ros::kJointActionsTopic, 1000);
+    emergency_publisher_ = nh_.advertise<std_msgs::Bool>(sylph_ros::kEmergencyStopTopic, 1, true);
+    subscriber_ = nh_.subscribe(sylph_ros::kAdgStateTopic, 100, &CentralNodeTest::onState, this);
+    const sylph::Configuration starts = mission().front();
+    for (std::size_t i = 0; i < names_.size(); ++i) {
+      robots_.push_back(
+          std::make_unique<test::MockRobot>(nh_, names_[i], frame_, frame_.toPoint(starts[i])));
+    }
+    start();
+  }
+  ~CentralNodeTest() override {
+    node_.reset();
+    std::filesystem::remove_all(folder_);
+  }
+
+  void start() {
+    state_ = AdgState();
+    node_ = std::make_unique<CentralNode>(nh_, private_nh_);
+    const bool is_up = spinUntil([&] {
+      return state_.robots.size() == names_.size() && publisher_.getNumSubscribers() == 1 &&
+             std::all_of(robots_.begin(), robots_.end(),
+                         [](const auto& robot) { return robot->isConnected(); });
+    });
+    ASSERT_TRUE(is_up);
+  }
+
+  /// Handles messages, with the robots taking a step every `pace_s_`, until the condition holds.
+  bool spinUntil(const std::function<bool()>& condition, double timeout_s = 10.0) {
+    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(timeout_s);
+    while (ros::WallTime::now() < deadline) {
+      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.005));
+      if (ros::WallTime::now() >= next_step_) {
+        next_step_ = ros::WallTime::now() + ros::WallDuration(pace_s_);
+        for (const auto& robot : robots_) {
+          robot->step();
+        }
+        requireDistinctPlaces();
+      }
+      if (condition()) {
+        return true;
+      }
+    }
+    return condition();
+  }
+
+  bool spinUntilPhase(std::uint8_t phase, double timeout_s = 10.0) {
+    return spinUntil([&] { return state_.phase == phase; }, timeout_s);
+  }
+
+  void send(const std::vector<sylph_msgs::JointAction>& messages) {
+    for (const sylph_msgs::JointAction& message : messages) {
+      publisher_.publish(message);
+    }
+  }
+
+  bool call(const std::string& service) {
+    std_srvs::Trigger trigger;
+    // The node under test lives in this thread, so the call must not block it.
+    std::atomic<bool> is_over{false};
+    std::thread caller([&] {
+      ros::service::call(nh_.resolveName(service), trigger);
+      is_over = true;
+    });
+    spinUntil([&] { return is_over.load(); });
+    caller.join();
+    return trigger.response.success != 0;
+  }
+
+  void onState(const AdgState& state) {
+    EXPECT_EQ("map", state.header.frame_id);
+    EXPECT_FALSE(state.header.stamp.isZero());
+    state_ = state;
+    std::set<Cell> held;
+    for (const RobotExecution& robot : state.robots) {
+      for (const sylph_msgs::Cell& cell : robot.held_cells) {
+        EXPECT_TRUE(held.insert(sylph_ros::fromMessage(cell)).second)
+            << "two robots hold " << sylph_ros::fromMessage(cell);
+      }
+    }
+  }
+
+  void requireDistinctPlaces() {
+    std::set<std::pair<double, double>> places;
+    for (const auto& robot : robots_) {
+      EXPECT_TRUE(places.insert({robot->position().x, robot->position().y}).second);
+    }
+  }
+
+  /// Each task of the mission was carried out once and in order.
+  void expectCarriedOutOnce() {
+    const std::vector<std::size_t> moves = {4, 4, 3};
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      ASSERT_EQ(moves[i], robots_[i]->carried_out.size()) << names_[i];
+      for (std::size_t k = 0; k < moves[i]; ++k) {
+        EXPECT_EQ(k, robots_[i]->carried_out[k].sequence);
+      }
+    }
+  }
+
+  YAML::Node result() const { return YAML::LoadFile(folder_ + "/result.yaml"); }
+  const RobotExecution& robot(std::size_t i) const { return state_.robots.at(i); }
+
+  ros::NodeHandle nh_;
+  ros::NodeHandle private_nh_;
+  sylph::CellFrame frame_;
+  std::string folder_;
+  std::vector<std::string> names_ = {"robot_0", "robot_1", "robot_2"};
+  std::vector<std::unique_ptr<test::MockRobot>> robots_;
+  std::unique_ptr<CentralNode> node_;
+  ros::Publisher publisher_;
+  ros::Publisher emergency_publisher_;
+  ros::Subscriber subscriber_;
+  AdgState state_;
+  double pace_s_ = 0.02;
+  ros::WallTime next_step_;
+};
+
+TEST_F(CentralNodeTest, CarriesAPlanOutAndWritesTheResult) {
+  EXPECT_EQ(AdgState::IDLE, state_.phase);
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  expectCarriedOutOnce();
+  EXPECT_EQ(5u, state_.steps);
+  EXPECT_EQ(5u, state_.steps_received);
+  const sylph_msgs::Task& first = robots_[0]->carried_out.front();
+  EXPECT_EQ("robot_0", first.robot_id);
+  EXPECT_EQ("map", first.header.frame_id);
+  EXPECT_EQ(4u, first.robot_tasks);
+  EXPECT_NEAR(0.45, first.end_pos.x, 1e-9);
+  EXPECT_NEAR(1.35, first.end_pos.y, 1e-9);
+  EXPECT_EQ(sylph_msgs::Task::ENQUEUED, first.status);
+  EXPECT_EQ(1u, first.dependencies.size()) << "it follows robot_1";
+
+  const YAML::Node yaml = result();
+  EXPECT_TRUE(yaml["success"].as<bool>());
+  EXPECT_EQ(3, yaml["robots"].as<int>());
+  EXPECT_EQ(3, yaml["arrived"].as<int>());
+  EXPECT_EQ(5, yaml["plan_steps"].as<int>());
+  EXPECT_EQ(4 + 4 + 5, yaml["sum_of_costs"].as<int>());
+  EXPECT_NEAR(0.5, yaml["planning_s"].as<double>(), 1e-9);
+  EXPECT_GT(yaml["execution_s"].as<double>(), 0.0);
+  EXPECT_GE(yaml["critical_path_cells"].as<int>(), 5);
+  EXPECT_NEAR(yaml["critical_path_cells"].as<int>() * 1.2, yaml["ideal_execution_s"].as<double>(),
+              1e-9);
+  EXPECT_NEAR(0.004, yaml["max_tracking_error_m"].as<double>(), 1e-9);
+  EXPECT_EQ(0, yaml["replans"].as<int>());
+  EXPECT_EQ(0, yaml["stops"].as<int>());
+  EXPECT_TRUE(std::filesystem::exists(folder_ + "/experiment.yaml"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ + "/plan.txt"));
+  EXPECT_EQ(folder_, nh_.param<std::string>("/sylph/run_folder", ""));
+}
+
+}  // namespace
+}  // namespace sylph_adg_central
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "central_node_test");
+  const ros::NodeHandle keep_ros_running;
+  return RUN_ALL_TESTS();
+}
