@@ -48,9 +48,9 @@ TEST(PoseWatchTest, TrustsAPoseAfterSeveralGoodOnes) {
 TEST(PoseWatchTest, SilenceMakesBlindAndPosesHeal) {
   Feed feed;
   feed.frames(5, {});
-  feed.now_s += 0.09;
+  feed.now_s += 0.08;
   EXPECT_EQ("", feed.problem());
-  feed.now_s += 0.02;
+  feed.now_s += 0.03;
   EXPECT_EQ("no good pose for 0.11 s", feed.problem());
   feed.frame({});
   EXPECT_EQ("waiting for good poses", feed.problem());
