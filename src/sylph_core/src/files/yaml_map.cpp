@@ -169,6 +169,32 @@ std::vector<int> YamlMap::integers(const std::string& key, int lowest, int highe
   return values;
 }
 
+std::vector<std::string> YamlMap::texts(const std::string& key) const {
+  std::vector<std::string> values;
+  for (const YAML::Node& node : sequence(key)) {
+    if (!node.IsScalar() || node.Scalar().empty()) {
+      throw errorAt(node, key, shown(node) + ", must be a text");
+    }
+    values.push_back(node.Scalar());
+  }
+  if (values.empty()) {
+    throw errorAt(require(key), key, "is empty, must be a list of texts");
+  }
+  return values;
+}
+
+std::vector<std::string> YamlMap::words(const std::string& key,
+                                        const std::vector<std::string>& allowed) const {
+  std::vector<std::string> values = texts(key);
+  for (const std::string& value : values) {
+    if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
+      throw errorAt(require(key), key,
+                    "has " + inQuotes(value) + ", each must be one of " + joined(allowed));
+    }
+  }
+  return values;
+}
+
 Cell YamlMap::cell(const std::string& key) const {
   const YAML::Node node = require(key);
   if (!node.IsSequence() || node.size() != 2) {

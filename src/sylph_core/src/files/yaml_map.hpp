@@ -52,6 +52,11 @@ class YamlMap {
   std::vector<double> numbers(const std::string& key, std::size_t count, const Range& range) const;
   /// One or more whole numbers.
   std::vector<int> integers(const std::string& key, int lowest, int highest) const;
+  /// One or more texts.
+  std::vector<std::string> texts(const std::string& key) const;
+  /// One or more of the given words.
+  std::vector<std::string> words(const std::string& key,
+                                 const std::vector<std::string>& allowed) const;
   /// [row, col], whole numbers; whether it lies on the map is for the caller to check.
   Cell cell(const std::string& key) const;
   /// A mapping below this one, none if the key is missing.

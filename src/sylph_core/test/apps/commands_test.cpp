@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
@@ -206,6 +207,43 @@ TEST_F(CommandsTest, GenerateMapWritesWhatPlanReads) {
   expectRefused(
       "99 agents on a map of 1 free cells",
       "generate_map maze --rows 1 --cols 1 --agents 99 --out " + map + " --scen " + scenario);
+}
+
+TEST_F(CommandsTest, BenchmarkPrintsATableAndWritesCsv) {
+  const std::string suite =
+      folder_.write("suite.yaml",
+                    "first: true\nfamilies:\n  - {name: stored, agents: [1, 2], map: a.map, "
+                    "scenarios: [a.scen]}\n");
+  const std::string csv = folder_.path("results.csv");
+  const CommandResult result =
+      run("benchmark " + suite + " --planner lacam --planner pibt --jobs 2 --out " + csv);
+  EXPECT_EQ(0, result.status) << result.output;
+  EXPECT_NE(std::string::npos, result.output.find("4 / 4 runs\n")) << result.output;
+  EXPECT_NE(std::string::npos, result.output.find("stored  pibt          2     1     100.0"))
+      << result.output;
+  std::ifstream file(csv);
+  int lines = 0;
+  for (std::string line; std::getline(file, line);) {
+    ++lines;
+  }
+  EXPECT_EQ(5, lines);
+}
+
+TEST_F(CommandsTest, BadSuitesAreOneLineAndStatusTwo) {
+  const auto expectSuite = [&](const std::string& error, const std::string& content,
+                               const std::string& options = "") {
+    expectRefused(error, "benchmark " + folder_.write("bad.yaml", content) + options);
+  };
+  const std::string good = "families: [{name: a, agents: [1], map: a.map, scenarios: [a.scen]}]\n";
+  expectSuite("/bad.yaml: is empty, must be a YAML mapping", "");
+  expectSuite("/bad.yaml:2: is not YAML: ", "families:\n  - {name");
+  expectSuite("/bad.yaml:1: family: unknown key", "family: a\n");
+  expectSuite("/b.map: there is no such file",
+              "families: [{name: a, agents: [1], map: b.map, scenarios: [a.scen]}]\n");
+  expectSuite("--planner: astar not in {", good, " --planner astar");
+  expectSuite("--jobs: Value 0 not in range", good, " --jobs 0");
+  expectSuite("/nowhere/a.csv: cannot be written", good, " --out /nowhere/a.csv");
+  expectRefused("SUITE is required", "benchmark");
 }
 
 }  // namespace

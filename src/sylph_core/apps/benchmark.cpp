@@ -1,0 +1,79 @@
+// sylph_benchmark: runs planners on a suite of instances.
+
+#include <CLI/CLI.hpp>
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <limits>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "progress_bar.hpp"
+#include "run_command.hpp"
+#include "sylph_core/benchmark/run_benchmark.hpp"
+#include "sylph_core/benchmark/suite.hpp"
+
+namespace {
+
+struct Options {
+  std::string suite_path;
+  std::vector<std::string> planners;
+  int jobs = 1;
+  std::string csv_path;
+};
+
+void writeCsv(const std::vector<sylph::BenchmarkRun>& runs, const std::string& path) {
+  std::ofstream file(path);
+  file << sylph::toCsv(runs);
+  file.close();
+  if (!file) {
+    throw std::runtime_error(path + ": cannot be written");
+  }
+}
+
+/// @return status 1 if a planner called a plan a solution that is none
+int benchmark(const Options& options) {
+  const sylph::BenchmarkSuite suite = sylph::loadSuite(options.suite_path);
+  const std::vector<sylph::BenchmarkCase> cases = sylph::makeCases(suite);
+  const auto& planners = options.planners.empty() ? suite.planners : options.planners;
+  if (!options.csv_path.empty()) {
+    writeCsv({}, options.csv_path);  // before hours of work, not after
+  }
+  sylph::ProgressBar bar(planners.size() * cases.size());
+  const auto runs = sylph::runBenchmark(planners, cases, suite.limits, options.jobs,
+                                        [&](std::size_t done) { bar.show(done); });
+  std::cout << sylph::toTable(runs);
+  if (!options.csv_path.empty()) {
+    writeCsv(runs, options.csv_path);
+  }
+  int status = EXIT_SUCCESS;
+  for (const sylph::BenchmarkRun& run : runs) {
+    if (run.evaluation.violation) {
+      std::cerr << "sylph_benchmark: " << run.planner << " on " << run.family << ", instance "
+                << run.instance_number << ", " << run.agents
+                << " agents: " << run.evaluation.violation->message << "\n";
+      status = EXIT_FAILURE;
+    }
+  }
+  return status;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app(
+      "Runs planners on a suite of instances and prints a table. Exit status: 0 done, 1 a planner "
+      "called something a solution that is none, 2 bad input.",
+      "sylph_benchmark");
+  Options options;
+  app.add_option("SUITE", options.suite_path, "YAML file, see loadSuite()")->required();
+  app.add_option("--planner", options.planners, "in place of the suite's planners")
+      ->check(CLI::IsMember(sylph::plannerNames()))
+      ->take_all();
+  app.add_option("--jobs", options.jobs, "cases at a time; more than free cores blur the times")
+      ->check(CLI::Range(1, std::numeric_limits<int>::max()))
+      ->capture_default_str();
+  app.add_option("--out", options.csv_path, "CSV file to write, one line a run");
+  return sylph::runCommand(app, argc, argv, [&] { return benchmark(options); });
+}

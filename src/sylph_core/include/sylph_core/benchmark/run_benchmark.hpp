@@ -1,0 +1,41 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/benchmark/evaluation.hpp"
+#include "sylph_core/benchmark/suite.hpp"
+
+namespace sylph {
+
+/// One planner on one case.
+struct BenchmarkRun {
+  std::string planner;
+  std::string family;
+  int agents = 0;
+  int instance_number = 0;
+  Outcome outcome = Outcome::TimeLimit;  ///< as the planner says
+  Evaluation evaluation;
+  PlanningStatistics statistics;
+};
+
+/// Runs every planner on every case.
+/// @param jobs      cases at a time, > 0; more of them than free cores blur the times
+/// @param progress  told after each run how many are done, never by two threads at once
+/// @return          the runs, planners in order, cases in order
+/// @throws std::invalid_argument as makePlanner()
+std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
+                                       const std::vector<BenchmarkCase>& cases,
+                                       const PlanningLimits& limits, int jobs,
+                                       const std::function<void(std::size_t)>& progress);
+
+/// One line a run, with a header line.
+std::string toCsv(const std::vector<BenchmarkRun>& runs);
+
+/// One line for each planner, family and number of agents. Times and costs are over the solved
+/// runs: median and 95th percentile of the time to the first solution [s], mean of the sum of
+/// costs over its lower bound, mean makespan [timesteps].
+std::string toTable(const std::vector<BenchmarkRun>& runs);
+
+}  // namespace sylph
