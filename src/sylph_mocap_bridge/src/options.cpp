@@ -1,5 +1,8 @@
 #include "sylph_mocap_bridge/options.hpp"
 
+#include <XmlRpcValue.h>
+#include <ros/param.h>
+
 #include <limits>
 #include <map>
 #include <stdexcept>
@@ -81,7 +84,18 @@ void readClient(const ros::NodeHandle& nh, sylph_natnet::ClientOptions& client) 
   }
 }
 
+/// @throws std::runtime_error if the parameter is set and has no parameters below it
+void requireGroup(const ros::NodeHandle& group) {
+  XmlRpc::XmlRpcValue value;
+  if (ros::param::get(group.getNamespace(), value) &&
+      value.getType() != XmlRpc::XmlRpcValue::TypeStruct) {
+    throw std::runtime_error("parameter " + group.getNamespace() +
+                             ": must be a group of parameters");
+  }
+}
+
 PlanarPose readPlanarPose(const ros::NodeHandle& nh) {
+  requireGroup(nh);
   sylph_ros::requireKnown(nh, {"x_m", "y_m", "yaw_rad"});
   PlanarPose pose;
   constexpr double kFar = 1000.0;
@@ -99,6 +113,7 @@ void readTracks(const ros::NodeHandle& nh, const sylph::Experiment& experiment,
   readChoice(nh, "up_axis", {{"y", UpAxis::Y}, {"z", UpAxis::Z}}, tracks.up_axis);
   tracks.map_from_mocap = readPlanarPose(ros::NodeHandle(nh, "map_from_mocap"));
   const ros::NodeHandle bodies(nh, "body_from_robot");
+  requireGroup(bodies);
   std::vector<std::string> names;
   for (const sylph::RobotSpec& robot : experiment.robots) {
     names.push_back(robot.name);

@@ -1,0 +1,142 @@
+#include "sylph_mocap_bridge/preflight.hpp"
+
+#include <gtest/gtest.h>
+
+namespace sylph_mocap_bridge {
+namespace {
+
+/// Everything as it should be.
+LinkStatus goodStatus() {
+  LinkStatus status;
+  status.client.server = {192, 168, 1, 10};
+  status.local_address = sylph_natnet::Ipv4Address{192, 168, 1, 20};
+  sylph_natnet::ServerInfo server;
+  server.version = {4, 1};
+  server.data_port = 1511;
+  server.is_multicast = false;
+  server.multicast_group = {239, 255, 42, 99};
+  status.server = server;
+  status.version = server.version;
+  status.new_frames = 120;
+  status.bodies_in_frame = 8;
+  status.offered = {"red", "blue"};
+  return status;
+}
+
+void expectError(const LinkStatus& status, const std::string& part) {
+  const Finding finding = preflight(status);
+  EXPECT_EQ(Severity::Error, finding.severity) << finding.text;
+  EXPECT_NE(std::string::npos, finding.text.find(part)) << finding.text;
+  EXPECT_EQ(std::string::npos, finding.text.find('\n'));
+}
+
+LinkStatus withoutServer() {
+  LinkStatus status = goodStatus();
+  status.server.reset();
+  status.version.reset();
+  status.new_frames = 0;
+  return status;
+}
+
+TEST(PreflightTest, FindsNothingWhereAllIsWell) {
+  EXPECT_EQ(Severity::Ok, preflight(goodStatus()).severity);
+}
+
+TEST(PreflightTest, NoRouteToTheServer) {
+  LinkStatus status = withoutServer();
+  status.local_address.reset();
+  expectError(status, "no network leads to the server 192.168.1.10:1510");
+}
+
+TEST(PreflightTest, AServerThatDoesNotAnswer) {
+  expectError(withoutServer(), "no answer from 192.168.1.10:1510 (asked from 192.168.1.20)");
+}
+
+TEST(PreflightTest, AServerThatStreamsButDoesNotAnswer) {
+  LinkStatus status = withoutServer();
+  status.new_frames = 120;
+  expectError(status, "check command_port");
+}
+
+TEST(PreflightTest, AServerUnderAnotherAddress) {
+  LinkStatus status = withoutServer();
+  status.new_foreign = 120;
+  status.statistics.last_foreign = {192, 168, 1, 11};
+  expectError(status, "data come from 192.168.1.11");
+}
+
+TEST(PreflightTest, StreamingSwitchedOff) {
+  LinkStatus status = goodStatus();
+  status.new_frames = 0;
+  expectError(status, "sends no frames: is streaming on");
+}
+
+TEST(PreflightTest, TheWrongModeIsNamed) {
+  LinkStatus status = goodStatus();
+  status.new_frames = 0;
+  status.server->is_multicast = true;
+  expectError(status, "set transport to multicast here");
+  status.server->is_multicast = false;
+  status.client.multicast = true;
+  expectError(status, "set transport to unicast here");
+}
+
+TEST(PreflightTest, TheWrongGroupIsNamed) {
+  LinkStatus status = goodStatus();
+  status.new_frames = 0;
+  status.client.multicast = true;
+  status.server->is_multicast = true;
+  status.server->multicast_group = {224, 0, 0, 1};
+  status.server->data_port = 9000;
+  expectError(status, "the server streams to 224.0.0.1:9000");
+}
+
+TEST(PreflightTest, MulticastThatIsLostOnTheWay) {
+  LinkStatus status = goodStatus();
+  status.new_frames = 0;
+  status.client.multicast = true;
+  status.server->is_multicast = true;
+  expectError(status, "set local_interface");
+}
+
+TEST(PreflightTest, AnotherBitstream) {
+  LinkStatus status = goodStatus();
+  status.new_parse_errors = 5;
+  status.statistics.last_error = "rigid bodies: count of 8 in 3 bytes";
+  expectError(status, "bitstream 4.1");
+}
+
+TEST(PreflightTest, NamesThatTheServerDoesNotHave) {
+  LinkStatus status = goodStatus();
+  status.missing = {"green"};
+  expectError(status, "no rigid body is called green; the server has: red, blue");
+}
+
+TEST(PreflightTest, NoRigidBodyAtAll) {
+  LinkStatus status = goodStatus();
+  status.missing = {"green"};
+  status.offered.clear();
+  expectError(status, "no rigid body is defined");
+}
+
+TEST(PreflightTest, ANameThatAppearsTwice) {
+  LinkStatus status = goodStatus();
+  status.ambiguous = {"red"};
+  expectError(status, "more than one rigid body is called red");
+}
+
+TEST(PreflightTest, RigidBodiesThatAreNotStreamed) {
+  LinkStatus status = goodStatus();
+  status.bodies_in_frame = 0;
+  expectError(status, "switch on the streaming of rigid bodies");
+}
+
+TEST(PreflightTest, ASecondServerIsWorthAWarning) {
+  LinkStatus status = goodStatus();
+  status.new_foreign = 3;
+  status.statistics.last_foreign = {192, 168, 1, 11};
+  EXPECT_EQ(Severity::Warning, preflight(status).severity);
+}
+
+}  // namespace
+}  // namespace sylph_mocap_bridge
