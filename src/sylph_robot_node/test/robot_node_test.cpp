@@ -1,0 +1,118 @@
+#include <XmlRpcClient.h>
+#include <gtest/gtest.h>
+#include <ros/init.h>
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <sylph_msgs/AdgState.h>
+#include <sylph_msgs/TaskReport.h>
+
+#include <cmath>
+#include <csignal>
+#include <string>
+
+#include "mock_lab.hpp"
+#include "wait_until.hpp"
+
+namespace sylph_robot_node {
+namespace {
+
+using sylph_msgs::AdgState;
+using sylph_msgs::TaskReport;
+
+double speedOf(const geometry_msgs::Twist& command) {
+  return std::hypot(command.linear.x, command.linear.y);
+}
+
+/// Process id of a running node, -1 if it cannot be asked.
+int processOf(const std::string& node) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue uri;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::master::execute("lookupNode", request, response, uri, false) ||
+      !ros::network::splitURI(static_cast<std::string>(uri), host, port)) {
+    return -1;
+  }
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  XmlRpc::XmlRpcValue who;
+  who[0] = ros::this_node::getName();
+  return client.execute("getPid", who, response) ? static_cast<int>(response[2]) : -1;
+}
+
+// One story in order: the node lives through all of it.
+TEST(RobotNodeTest, ATaskFromHoldToShutdown) {
+  MockLab lab({0, 0});
+  ASSERT_TRUE(waitUntil([&] { return lab.isConnected(); }));
+
+  // It sends zeros all the time, and does not move before the central node is heard.
+  ASSERT_TRUE(waitUntil([&] { return lab.commandCount() > 20 && lab.report().pose_age_s < 0.1; }));
+  lab.sendTask(1, 0, {0, 0}, {0, 1});
+  ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::HOLDING; }));
+  EXPECT_EQ("central node not heard yet", lab.report().detail);
+  EXPECT_EQ(1u, lab.report().accepted);
+  EXPECT_DOUBLE_EQ(0.0, speedOf(lab.command()));
+
+  // Then it drives, and tells of its arrival.
+  lab.setCentral(true);
+  ASSERT_TRUE(waitUntil([&] { return lab.report().done == 1; }));
+  EXPECT_EQ(1u, lab.report().plan_id);
+  EXPECT_EQ("robot_0", lab.report().robot_id);
+  EXPECT_EQ("map", lab.report().header.frame_id);
+  EXPECT_FALSE(lab.report().header.stamp.isZero());
+  EXPECT_NEAR(0.45, lab.pose().x_m, 0.012);
+  EXPECT_NEAR(0.75, lab.pose().y_m, 0.012);
+
+  // The same task again and one of another map change nothing.
+  lab.sendTask(1, 0, {0, 0}, {0, 1});
+  lab.sendTask(1, 1, {0, 1}, {1, 1});  // an obstacle
+  lab.sendTask(1, 2, {0, 2}, {0, 3});  // behind a gap
+  lab.sendTask(1, 1, {0, 1}, {0, 2});
+  ASSERT_TRUE(waitUntil([&] { return lab.report().accepted == 3; }));
+  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) > 0.15; }));
+
+  // Blind without poses; goes on by itself.
+  lab.setCameras(false);
+  ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::BLIND; }));
+  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) == 0.0; }));
+  lab.setCameras(true);
+  ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::MOVING; }));
+
+  // An emergency stop holds until the central node was stopped and resumed.
+  lab.setEmergency(true);
+  ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::HOLDING; }));
+  EXPECT_EQ("emergency stop", lab.report().detail);
+  lab.setMode(AdgState::STOP);
+  const int stops = lab.stateCount() + 3;
+  ASSERT_TRUE(waitUntil([&] { return lab.stateCount() > stops; }));
+  lab.setEmergency(false);
+  EXPECT_DOUBLE_EQ(0.0, speedOf(lab.command()));
+  lab.setMode(AdgState::RUN);
+  ASSERT_TRUE(waitUntil([&] { return lab.report().done == 3; }));
+  EXPECT_NEAR(1.05, lab.pose().x_m, 0.012);
+
+  // Killed while it drives, it leaves zeros behind.
+  lab.sendTask(2, 0, {0, 3}, {1, 3});
+  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) > 0.1; }));
+  const int process = processOf("/robot_0/sylph_robot");
+  ASSERT_GT(process, 0);
+  ASSERT_EQ(0, kill(process, SIGINT));
+  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) == 0.0; }));
+  const std::size_t commands = lab.commandCount();
+  ASSERT_TRUE(waitUntil([&] { return !lab.hasCommander(); }));
+  EXPECT_GT(lab.commandCount(), commands + 5);
+  EXPECT_DOUBLE_EQ(0.0, speedOf(lab.command()));
+}
+
+}  // namespace
+}  // namespace sylph_robot_node
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "robot_node_test");
+  ros::start();
+  return RUN_ALL_TESTS();
+}
