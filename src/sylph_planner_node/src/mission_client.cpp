@@ -19,7 +19,6 @@ namespace sylph_planner_node {
 namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod{50};
-constexpr char kRunFolderParameter[] = "run_folder";
 constexpr char kReportFile[] = "result.yaml";
 
 void say(const std::string& text) {
@@ -143,9 +142,9 @@ void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr&
 
 void MissionClient::printRunReport() {
   std::string folder;
-  nh_.getParam(kRunFolderParameter, folder);
+  nh_.getParam(sylph_ros::kRunFolderParameter, folder);
   if (folder.empty()) {
-    say("no run folder: parameter " + nh_.resolveName(kRunFolderParameter) + " is not set");
+    say(std::string("no run folder: parameter ") + sylph_ros::kRunFolderParameter + " is not set");
     return;
   }
   const std::filesystem::path path = std::filesystem::path(folder) / kReportFile;
