@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstdio>
+#include <tuple>
 
 namespace sylph {
 namespace {
@@ -19,10 +20,12 @@ std::string seconds(double value) {
 }  // namespace
 
 bool RobotMonitor::accept(const RobotReport& report, double now_s) {
-  const bool is_newer = !report_ || report.report_id > report_->report_id;
-  const bool has_restarted =
-      report_ && !is_newer && (report.stamp_s > report_->stamp_s || !isHeard(now_s));
-  if (!is_newer && !has_restarted) {
+  // By stamp first: a node that was started again counts from 1. A clock that was set back shows as
+  // silence.
+  const bool is_late =
+      report_ && isHeard(now_s) &&
+      std::tie(report.stamp_s, report.report_id) <= std::tie(report_->stamp_s, report_->report_id);
+  if (is_late) {
     return false;
   }
   if (report.position &&

@@ -18,6 +18,7 @@ constexpr char kPauseService[] = "pause";
 constexpr char kStopService[] = "stop";
 constexpr char kResumeService[] = "resume";
 constexpr char kDeclareLostService[] = "declare_lost";
+constexpr char kSeparationResetService[] = "separation_monitor/reset";
 constexpr char kInjectFaultService[] = "inject_fault";
 
 // In the namespace of one robot, `robot_<i>`.

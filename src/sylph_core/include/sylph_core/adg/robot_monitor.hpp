@@ -12,8 +12,8 @@ class RobotMonitor {
  public:
   explicit RobotMonitor(const ExecutionLimits& limits) : limits_(limits) {}
 
-  /// Takes a report unless it is late: its id is not above the last one's, and neither does its
-  /// stamp nor a silence of the robot show that the robot's node was started again.
+  /// Takes a report unless it is late: not newer than the last one by stamp and id, while the robot
+  /// is not silent.
   /// @param now_s  steady time [s]
   /// @return whether it is news
   bool accept(const RobotReport& report, double now_s);

@@ -1,0 +1,185 @@
+#include "sylph_adg_central/separation_monitor_node.hpp"
+
+#include <std_msgs/Bool.h>
+#include <sylph_msgs/SeparationState.h>
+
+#include <cmath>
+#include <cstdio>
+
+#include "sylph_core/control/safety_margin.hpp"
+#include "sylph_ros/conversions.hpp"
+#include "sylph_ros/experiment.hpp"
+#include "sylph_ros/parameters.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_adg_central {
+namespace {
+
+std::vector<sylph::Footprint> footprintsOf(const sylph::Experiment& experiment) {
+  std::vector<sylph::Footprint> footprints;
+  for (const sylph::RobotSpec& robot : experiment.robots) {
+    sylph::Footprint footprint;
+    footprint.length_m = robot.length_m;
+    footprint.width_m = robot.width_m;
+    footprints.push_back(footprint);
+  }
+  return footprints;
+}
+
+}  // namespace
+
+SeparationMonitorOptions loadSeparationMonitorOptions(const ros::NodeHandle& private_nh,
+                                                      const sylph::Experiment& experiment) {
+  sylph_ros::requireKnown(private_nh, {"experiment", "seed", "planner", "limit_m", "confirmations",
+                                       "rate_hz", "pose_timeout_s"});
+  const sylph::SafetyMargin margin = sylph::requireSafetyMargin(experiment);
+  SeparationMonitorOptions options;
+  options.limits.limit_m = 0.0;
+  sylph_ros::read(private_nh, "limit_m", options.limits.limit_m);
+  // Robots that keep to their tolerances come as close as the margin says. Stopping them for that
+  // would be a mistake as well.
+  sylph_ros::requireInRange(private_nh, "limit_m", options.limits.limit_m, 0.0,
+                            margin.promisedSeparation());
+  if (options.limits.limit_m == 0.0) {
+    options.limits.limit_m = margin.promisedSeparation() / 2.0;
+  }
+  sylph_ros::read(private_nh, "confirmations", options.limits.confirmations);
+  sylph_ros::requireInRange(private_nh, "confirmations", options.limits.confirmations, 1, 100);
+  sylph_ros::read(private_nh, "rate_hz", options.rate_hz);
+  sylph_ros::requirePositive(private_nh, "rate_hz", options.rate_hz);
+  sylph_ros::read(private_nh, "pose_timeout_s", options.pose_timeout_s);
+  sylph_ros::requirePositive(private_nh, "pose_timeout_s", options.pose_timeout_s);
+  options.limits.command_latency_s = experiment.execution.command_latency_s;
+  options.limits.acceleration_limit_mps2 = experiment.execution.acceleration_limit_mps2;
+  return options;
+}
+
+SeparationMonitorNode::SeparationMonitorNode(const ros::NodeHandle& nh,
+                                             const ros::NodeHandle& private_nh)
+    : nh_(nh),
+      clock_(sylph_ros::SteadyClock::fromParameter(nh)),
+      experiment_(sylph_ros::loadExperiment(private_nh)),
+      options_(loadSeparationMonitorOptions(private_nh, experiment_)),
+      watch_(footprintsOf(experiment_), options_.limits),
+      received_s_(experiment_.robots.size()),
+      diagnostics_(nh, private_nh) {
+  ROS_INFO("robots are stopped below a gap of %.1f mm", options_.limits.limit_m * 1e3);
+  diagnostics_.setHardwareID("none");
+  diagnostics_.add("separation", this, &SeparationMonitorNode::reportDiagnostics);
+  stop_publisher_ = nh_.advertise<std_msgs::Bool>(sylph_ros::kEmergencyStopTopic, 1, true);
+  state_publisher_ = nh_.advertise<sylph_msgs::SeparationState>(sylph_ros::kSeparationTopic, 10);
+  publishStop();
+  reset_service_ = nh_.advertiseService(sylph_ros::kSeparationResetService,
+                                        &SeparationMonitorNode::onReset, this);
+  for (int robot = 0; robot < static_cast<int>(experiment_.robots.size()); ++robot) {
+    subscribers_.push_back(nh_.subscribe<geometry_msgs::PoseStamped>(
+        "/" + name(robot) + "/" + sylph_ros::kPoseTopic, 10,
+        [this, robot](const geometry_msgs::PoseStamped::ConstPtr& message) {
+          onPose(robot, *message);
+        },
+        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+  }
+  timer_ = nh_.createSteadyTimer(clock_.wall(1.0 / options_.rate_hz),
+                                 [this](const ros::SteadyTimerEvent&) { onTimer(); });
+}
+
+void SeparationMonitorNode::onPose(int robot, const geometry_msgs::PoseStamped& message) {
+  if (message.header.frame_id != sylph_ros::kMapFrame) {
+    ROS_WARN_THROTTLE(1.0, "pose of %s is in frame '%s': must be '%s'", name(robot).c_str(),
+                      message.header.frame_id.c_str(), sylph_ros::kMapFrame);
+    return;
+  }
+  const sylph::Pose2d pose = {message.pose.position.x, message.pose.position.y,
+                              sylph_ros::yawOf(message.pose.orientation)};
+  if (sylph::isFinite(pose)) {
+    received_s_[static_cast<std::size_t>(robot)] = clock_.now();
+  }
+  if (!watch_.update(robot, pose, message.header.stamp.toSec()) || is_violated_) {
+    return;
+  }
+  is_violated_ = true;
+  publishStop();
+  publishState();
+  ROS_ERROR("all robots stop: %s", describe(*watch_.violation()).c_str());
+}
+
+bool SeparationMonitorNode::onReset(std_srvs::Trigger::Request& /*request*/,
+                                    std_srvs::Trigger::Response& response) {
+  const sylph::PairGap closest = watch_.closest();
+  response.success = static_cast<std::uint8_t>(closest.gap_m >= options_.limits.limit_m);
+  response.message = describe(closest);
+  if (response.success == 0) {
+    response.message += ": move them apart first";
+    return true;
+  }
+  is_violated_ = false;
+  publishStop();
+  publishState();
+  return true;
+}
+
+void SeparationMonitorNode::onTimer() {
+  if (is_violated_) {
+    publishStop();
+  }
+  publishState();
+  diagnostics_.update();
+}
+
+void SeparationMonitorNode::publishStop() {
+  std_msgs::Bool message;
+  message.data = static_cast<std::uint8_t>(is_violated_);
+  stop_publisher_.publish(message);
+}
+
+void SeparationMonitorNode::publishState() {
+  sylph_msgs::SeparationState state;
+  state.header.stamp = ros::Time::now();
+  state.header.frame_id = sylph_ros::kMapFrame;
+  const sylph::PairGap closest = watch_.closest();
+  state.separation_m = closest.gap_m;
+  const sylph::PairGap& ever = watch_.closestEver();
+  state.min_separation_m = ever.gap_m;
+  if (closest.robot_a >= 0) {
+    state.robot_a = name(closest.robot_a);
+    state.robot_b = name(closest.robot_b);
+  }
+  if (ever.robot_a >= 0) {
+    state.min_robot_a = name(ever.robot_a);
+    state.min_robot_b = name(ever.robot_b);
+  }
+  state.limit_m = options_.limits.limit_m;
+  state.violated = static_cast<std::uint8_t>(is_violated_);
+  for (std::size_t robot = 0; robot < received_s_.size(); ++robot) {
+    if (!received_s_[robot] || clock_.now() - *received_s_[robot] > options_.pose_timeout_s) {
+      state.without_pose.push_back(experiment_.robots[robot].name);
+    }
+  }
+  state_publisher_.publish(state);
+}
+
+void SeparationMonitorNode::reportDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) {
+  using diagnostic_msgs::DiagnosticStatus;
+  if (is_violated_) {
+    status.summary(DiagnosticStatus::ERROR, "all robots stop: " + describe(*watch_.violation()));
+  } else {
+    status.summary(DiagnosticStatus::OK, describe(watch_.closest()));
+  }
+  status.add("limit_m", options_.limits.limit_m);
+  status.add("min_separation_m", watch_.closestEver().gap_m);
+}
+
+std::string SeparationMonitorNode::describe(const sylph::PairGap& pair) const {
+  if (pair.robot_a < 0) {
+    return "no two robots have poses";
+  }
+  char gap[32];
+  std::snprintf(gap, sizeof(gap), "%.1f mm", pair.gap_m * 1e3);
+  return name(pair.robot_a) + " and " + name(pair.robot_b) + " are " + gap + " apart";
+}
+
+const std::string& SeparationMonitorNode::name(int robot) const {
+  return experiment_.robots.at(static_cast<std::size_t>(robot)).name;
+}
+
+}  // namespace sylph_adg_central

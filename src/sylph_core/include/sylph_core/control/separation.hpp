@@ -1,0 +1,75 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/control/footprint.hpp"
+#include "sylph_core/control/motion.hpp"
+
+namespace sylph {
+
+/// When robots are too close.
+struct SeparationLimits {
+  double limit_m = 0.005;                ///< smallest gap between footprints that is right, >= 0
+  double command_latency_s = 0.05;       ///< until a stop takes effect, >= 0
+  double acceleration_limit_mps2 = 0.6;  ///< of a robot that stops, > 0
+  int confirmations = 3;                 ///< poses in a row that have to agree, > 0
+};
+
+/// Two robots, by index, and the gap between their footprints.
+struct PairGap {
+  int robot_a = -1;  ///< -1: there are no two robots with a pose
+  int robot_b = -1;
+  double gap_m;  ///< infinite if there are no two
+};
+
+/// Watches the gaps between robots by their measured poses, knowing nothing of plans and tasks.
+///
+/// Robots are too close if the gap is below the limit, or if their footprints would touch although
+/// both stopped now: after the latency and the way for braking, v t + v^2 / 2a, along their
+/// velocities. So many poses in a row have to show it that a single bad one stops nobody.
+class SeparationWatch {
+ public:
+  /// @param sizes  length and width of each robot; where they are does not matter
+  SeparationWatch(std::vector<Footprint> sizes, const SeparationLimits& limits);
+
+  /// Takes a pose. One that is not finite, or not newer than the last one, is ignored.
+  /// @param stamp_s  time of capture [s]
+  /// @return whether robots are too close, by this pose and those before it
+  bool update(int robot, const Pose2d& pose, double stamp_s);
+
+  /// The closest pair now.
+  PairGap closest() const;
+  /// The closest pair that there was.
+  const PairGap& closestEver() const { return closest_ever_; }
+  /// The pair for which update() said last that it is too close.
+  const std::optional<PairGap>& violation() const { return violation_; }
+
+  /// A stamp this much older than the last one means that time starts anew, as in a simulation.
+  static constexpr double kTimeJump = 1.0;
+
+ private:
+  struct Sample {
+    Pose2d pose;
+    double stamp_s;
+  };
+  struct Track {
+    Footprint footprint;
+    double radius_m = 0.0;  ///< of the circle around the footprint
+    std::deque<Sample> samples;
+    int too_close_in_a_row = 0;
+  };
+
+  static std::size_t index(int robot) { return static_cast<std::size_t>(robot); }
+  Footprint whereItStops(const Track& track) const;
+  double lowestGap(const Track& a, const Track& b) const;
+
+  SeparationLimits limits_;
+  std::vector<Track> tracks_;
+  PairGap closest_ever_;
+  std::optional<PairGap> violation_;
+};
+
+}  // namespace sylph

@@ -1,0 +1,109 @@
+#include "sylph_core/control/separation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sylph {
+namespace {
+
+/// Time over which velocity is measured [s]: long against the noise of a pose, short against
+/// braking.
+constexpr double kVelocityWindow = 0.06;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+}  // namespace
+
+SeparationWatch::SeparationWatch(std::vector<Footprint> sizes, const SeparationLimits& limits)
+    : limits_(limits), closest_ever_{-1, -1, kInfinity} {
+  for (const Footprint& size : sizes) {
+    tracks_.push_back({size, std::hypot(size.length_m, size.width_m) / 2.0, {}, 0});
+  }
+}
+
+bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
+  Track& track = tracks_.at(index(robot));
+  const bool is_late = !track.samples.empty() && stamp_s <= track.samples.back().stamp_s &&
+                       stamp_s > track.samples.back().stamp_s - kTimeJump;
+  if (!isFinite(pose) || !std::isfinite(stamp_s) || is_late) {
+    return false;
+  }
+  if (!track.samples.empty() && stamp_s < track.samples.back().stamp_s) {
+    track.samples.clear();
+  }
+  track.samples.push_back({pose, stamp_s});
+  while (track.samples.size() > 2 && stamp_s - track.samples[1].stamp_s >= kVelocityWindow) {
+    track.samples.pop_front();
+  }
+  track.footprint.center = position(pose);
+  track.footprint.yaw_rad = pose.yaw_rad;
+
+  std::optional<PairGap> too_close;
+  const Footprint stopped = whereItStops(track);
+  for (int other = 0; other < static_cast<int>(tracks_.size()); ++other) {
+    const Track& neighbor = tracks_[index(other)];
+    if (other == robot || neighbor.samples.empty()) {
+      continue;
+    }
+    const double reserve_m = distance(stopped.center, track.footprint.center) +
+                             distance(whereItStops(neighbor).center, neighbor.footprint.center);
+    if (lowestGap(track, neighbor) > std::max(limits_.limit_m, reserve_m) &&
+        lowestGap(track, neighbor) > closest_ever_.gap_m) {
+      continue;
+    }
+    const PairGap pair = {std::min(robot, other), std::max(robot, other),
+                          footprintGap(track.footprint, neighbor.footprint)};
+    if (pair.gap_m < closest_ever_.gap_m) {
+      closest_ever_ = pair;
+    }
+    if (pair.gap_m < limits_.limit_m || footprintGap(stopped, whereItStops(neighbor)) <= 0.0) {
+      too_close = too_close && too_close->gap_m < pair.gap_m ? too_close : pair;
+    }
+  }
+  track.too_close_in_a_row = too_close ? track.too_close_in_a_row + 1 : 0;
+  if (track.too_close_in_a_row < limits_.confirmations) {
+    return false;
+  }
+  violation_ = too_close;
+  return true;
+}
+
+PairGap SeparationWatch::closest() const {
+  PairGap closest{-1, -1, kInfinity};
+  for (std::size_t a = 0; a < tracks_.size(); ++a) {
+    for (std::size_t b = a + 1; b < tracks_.size(); ++b) {
+      if (tracks_[a].samples.empty() || tracks_[b].samples.empty() ||
+          lowestGap(tracks_[a], tracks_[b]) >= closest.gap_m) {
+        continue;
+      }
+      const double gap_m = footprintGap(tracks_[a].footprint, tracks_[b].footprint);
+      if (gap_m < closest.gap_m) {
+        closest = {static_cast<int>(a), static_cast<int>(b), gap_m};
+      }
+    }
+  }
+  return closest;
+}
+
+Footprint SeparationWatch::whereItStops(const Track& track) const {
+  Footprint stopped = track.footprint;
+  const Sample& first = track.samples.front();
+  const Sample& last = track.samples.back();
+  const double duration_s = last.stamp_s - first.stamp_s;
+  if (duration_s <= 0.0) {
+    return stopped;
+  }
+  const double vx_mps = (last.pose.x_m - first.pose.x_m) / duration_s;
+  const double vy_mps = (last.pose.y_m - first.pose.y_m) / duration_s;
+  const double time_s = limits_.command_latency_s +
+                        std::hypot(vx_mps, vy_mps) / (2.0 * limits_.acceleration_limit_mps2);
+  stopped.center.x += vx_mps * time_s;
+  stopped.center.y += vy_mps * time_s;
+  return stopped;
+}
+
+double SeparationWatch::lowestGap(const Track& a, const Track& b) const {
+  return distance(a.footprint.center, b.footprint.center) - a.radius_m - b.radius_m;
+}
+
+}  // namespace sylph

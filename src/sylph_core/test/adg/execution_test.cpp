@@ -1,0 +1,589 @@
+#include "sylph_core/adg/execution.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <map>
+#include <set>
+
+#include "random_plan.hpp"
+
+namespace sylph {
+namespace {
+
+using Kind = ExecutionEvent::Kind;
+using test::uniform;
+
+constexpr int kRows = 5;
+constexpr int kCols = 6;
+constexpr double kCellSize = 0.3;
+
+MissionPlan missionPlan(const Plan& plan, std::vector<std::string> robots, std::uint32_t plan_id,
+                        std::uint32_t replaces_plan_id = 0) {
+  MissionPlan mission;
+  mission.plan_id = plan_id;
+  mission.replaces_plan_id = replaces_plan_id;
+  mission.planner = "test";
+  mission.robots = std::move(robots);
+  mission.goals = plan.back();
+  mission.plan = plan;
+  const std::size_t agents = plan.front().size();
+  SocialState social;
+  for (std::size_t agent = 0; agent < agents; ++agent) {
+    social.partners.push_back(agent == 0 ? 0 : static_cast<AgentId>(agent) - 1);
+    social.svo_deg.push_back(static_cast<float>(agent) * 5.0F);
+  }
+  mission.social.assign(plan.size() - 1, social);
+  return mission;
+}
+
+/// A robot at the other end: keeps to the protocol, remembers what it has carried out.
+struct Robot {
+  std::uint32_t report_id = 0;
+  std::uint32_t plan_id = 0;
+  int done = 0;
+  std::map<int, TaskOrder> tasks;
+  Point position;
+  std::vector<int> carried_out;  ///< sequences of the present plan
+
+  int accepted() const {
+    int count = 0;
+    while (tasks.count(count) > 0) {
+      ++count;
+    }
+    return count;
+  }
+  void take(const TaskOrder& order) {
+    if (order.plan_id < plan_id) {
+      return;
+    }
+    if (order.plan_id > plan_id) {
+      plan_id = order.plan_id;
+      done = 0;
+      tasks.clear();
+      carried_out.clear();
+    }
+    tasks.emplace(order.sequence, order);
+    while (tasks.count(done) > 0 && tasks.at(done).status == TaskStatus::Done) {
+      ++done;
+    }
+  }
+  bool hasTask() const { return done < accepted(); }
+  void carryOut(const CellFrame& frame) {
+    position = frame.toPoint(tasks.at(done).task.end);
+    carried_out.push_back(done);
+    ++done;
+  }
+  RobotReport report(double stamp_s) {
+    RobotReport report;
+    report.report_id = ++report_id;
+    report.stamp_s = stamp_s;
+    report.plan_id = plan_id;
+    report.accepted = accepted();
+    report.done = done;
+    report.state = hasTask() ? ReportState::Moving : ReportState::Idle;
+    report.position = position;
+    return report;
+  }
+};
+
+/// An Execution with robots around it and a clock that the test moves.
+class ExecutionTest : public testing::Test {
+ protected:
+  explicit ExecutionTest(int robots = 3) : frame_(kRows, kCellSize), robots_(index(robots)) {
+    for (int robot = 0; robot < robots; ++robot) {
+      names_.push_back("robot_" + std::to_string(robot));
+    }
+    limits_.lookahead = 3;
+    restart();
+  }
+
+  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
+
+  /// A new Execution that knows nothing.
+  void restart() { execution_.emplace(names_, kRows, kCols, kCellSize, limits_); }
+
+  void place(const Configuration& cells) {
+    for (std::size_t i = 0; i < robots_.size(); ++i) {
+      robots_[i].position = frame_.toPoint(cells[i]);
+      report(static_cast<int>(i));
+    }
+  }
+
+  void report(int robot) {
+    execution_->report(robot, robots_[index(robot)].report(now_s_), now_s_);
+  }
+  void reportAll() {
+    for (int robot = 0; robot < execution_->robotCount(); ++robot) {
+      report(robot);
+    }
+  }
+
+  /// Hands out what there is to send and keeps the log.
+  void deliver() {
+    collect();
+    for (const TaskOrder& order : execution_->takeOrders(now_s_)) {
+      robots_[index(order.robot)].take(order);
+    }
+  }
+  void collect() {
+    for (ExecutionEvent& event : execution_->takeEvents()) {
+      log_.push_back(std::move(event));
+    }
+  }
+
+  /// Time passes; robots that are not in `idle` carry out a task each and report.
+  void step(const std::set<int>& idle = {}, double duration_s = 0.1) {
+    now_s_ += duration_s;
+    for (int i = 0; i < execution_->robotCount(); ++i) {
+      if (idle.count(i) > 0) {
+        continue;
+      }
+      if (robots_[index(i)].hasTask()) {
+        robots_[index(i)].carryOut(frame_);
+      }
+      report(i);
+    }
+    execution_->tick(now_s_);
+    deliver();
+  }
+
+  bool stepUntil(ExecutionPhase phase, const std::set<int>& idle = {}) {
+    for (int i = 0; i < 300 && execution_->phase() != phase; ++i) {
+      step(idle);
+    }
+    return execution_->phase() == phase;
+  }
+
+  int count(Kind kind) const {
+    return static_cast<int>(std::count_if(log_.begin(), log_.end(),
+                                          [&](const auto& event) { return event.kind == kind; }));
+  }
+
+  void submit(const Plan& plan, std::uint32_t plan_id, std::uint32_t replaces_plan_id = 0,
+              std::vector<std::string> robots = {}) {
+    execution_->submit(
+        missionPlan(plan, robots.empty() ? names_ : std::move(robots), plan_id, replaces_plan_id),
+        now_s_);
+    deliver();
+  }
+
+  CellFrame frame_;
+  std::vector<std::string> names_;
+  ExecutionLimits limits_;
+  std::optional<Execution> execution_;
+  std::vector<Robot> robots_;
+  std::vector<ExecutionEvent> log_;
+  double now_s_ = 100.0;
+};
+
+/// A queue of three that moves two cells east, robot 2 in front.
+Plan queue() {
+  return {{{0, 0}, {0, 1}, {0, 2}}, {{0, 1}, {0, 2}, {0, 3}}, {{0, 2}, {0, 3}, {0, 4}}};
+}
+
+TEST_F(ExecutionTest, CarriesAPlanOut) {
+  place(queue().front());
+  submit(queue(), 1);
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
+  EXPECT_EQ(3, execution_->arrivedRobots());
+  EXPECT_EQ(6, count(Kind::Released));
+  EXPECT_EQ(6, count(Kind::Done));
+  for (const Robot& robot : robots_) {
+    EXPECT_EQ((std::vector<int>{0, 1}), robot.carried_out);
+  }
+}
+
+TEST_F(ExecutionTest, APlanInWhichNobodyMovesIsFinishedAtOnce) {
+  place(queue().front());
+  submit({queue().front()}, 1);
+  EXPECT_EQ(ExecutionPhase::Finished, execution_->phase());
+  EXPECT_EQ(3, execution_->arrivedRobots());
+}
+
+TEST_F(ExecutionTest, ShowsWhoWaitsForWhomAndWhy) {
+  place(queue().front());
+  submit(queue(), 1);
+  now_s_ += 0.5;
+  execution_->tick(now_s_);
+  const double since_s = now_s_;
+  now_s_ += 0.5;
+  const RobotView view = execution_->view(0, now_s_);
+  EXPECT_EQ("robot_1", view.waits_for_robot);
+  EXPECT_EQ((Cell{0, 1}), view.waits_for_cell);
+  EXPECT_NEAR(now_s_ - since_s, view.waiting_since_s, 1e-9);
+  EXPECT_EQ("robot_2", view.root_cause_robot);
+  EXPECT_EQ("is on its way from (0,2) to (0,3)", view.root_cause);
+  EXPECT_EQ((std::vector<Cell>{{0, 0}}), view.held_cells);
+  EXPECT_EQ((std::vector<Cell>{{0, 0}, {0, 1}, {0, 2}}), view.remaining_path);
+  EXPECT_EQ((Cell{0, 2}), view.goal);
+  EXPECT_TRUE(view.partner.empty());
+  EXPECT_EQ("robot_1", execution_->view(2, now_s_).partner);
+  EXPECT_EQ(10.0F, execution_->view(2, now_s_).svo_deg);
+}
+
+TEST_F(ExecutionTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
+  place({{0, 0}, {1, 1}, {0, 2}});
+  submit(queue(), 1);
+  EXPECT_EQ(ExecutionPhase::Refused, execution_->phase());
+  EXPECT_EQ("plan 1: it starts robot_1 in (0,1), but the robot is in (1,1)", execution_->message());
+}
+
+TEST_F(ExecutionTest, RefusesAStartOffTheCentre) {
+  place(queue().front());
+  robots_[1].position.x += 0.05;
+  report(1);
+  submit(queue(), 1);
+  EXPECT_EQ(
+      "plan 1: robot_1 stands 0.050 m off the centre of its start (0,1): at most 0.035 m are "
+      "allowed",
+      execution_->message());
+}
+
+TEST_F(ExecutionTest, RefusesARingByNames) {
+  const Configuration from = {{0, 0}, {0, 1}, {1, 1}};
+  place(from);
+  submit({from, {{0, 1}, {0, 0}, {1, 1}}}, 1);
+  EXPECT_EQ(
+      "plan 1: step 0: robot_0, robot_1 swap their cells, so that each would wait for the next one "
+      "for ever",
+      execution_->message());
+}
+
+TEST_F(ExecutionTest, RefusesWhatIsNotOfThisLab) {
+  place(queue().front());
+  execution_->submit(missionPlan(queue(), {"robot_0", "robot_1", "robot_7"}, 1), now_s_);
+  EXPECT_EQ("plan 1: robot 'robot_7' is not in the lab", execution_->message());
+  execution_->submit(missionPlan(queue(), {"robot_0", "robot_1", "robot_1"}, 2), now_s_);
+  EXPECT_EQ("plan 2: robot_1 appears twice", execution_->message());
+  submit({{{0, 0}, {0, 1}, {0, 2}}, {{-1, 0}, {0, 1}, {0, 2}}}, 3);
+  EXPECT_NE(std::string::npos, execution_->message().find("not a free cell"));
+  submit(queue(), 4);
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase()) << "a refusal is not the end";
+}
+
+TEST_F(ExecutionTest, RefusesAnIdThatIsNotNew) {
+  place(queue().front());
+  robots_[2].plan_id = 7;  // what a robot remembers of an earlier run
+  report(2);
+  EXPECT_EQ(7u, execution_->lastPlanId());
+  submit(queue(), 7);
+  EXPECT_EQ("plan 7: its id is not greater than 7, which is the last one in use",
+            execution_->message());
+  submit(queue(), 8);
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
+}
+
+TEST_F(ExecutionTest, RefusesToDriveThroughABystander) {
+  place({{0, 0}, {0, 3}, {0, 1}});
+  submit({{{0, 0}, {0, 3}}, {{0, 1}, {0, 3}}}, 1, 0, {"robot_0", "robot_1"});
+  EXPECT_EQ("plan 1: it leads through (0,1), where robot_2 stands, which takes no part",
+            execution_->message());
+}
+
+TEST_F(ExecutionTest, WaitsForReportsAndThenRefuses) {
+  submit(queue(), 1);
+  EXPECT_EQ(ExecutionPhase::Receiving, execution_->phase());
+  place(queue().front());
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
+  restart();
+  now_s_ += 100.0;
+  submit(queue(), 1);
+  now_s_ += limits_.start_wait_s + 0.1;
+  execution_->tick(now_s_);
+  EXPECT_EQ("plan 1: robot_0 does not report", execution_->message());
+}
+
+TEST_F(ExecutionTest, SendsAgainUntilTheRobotConfirms) {
+  place(queue().front());
+  execution_->submit(missionPlan(queue(), names_, 1), now_s_);
+  ASSERT_EQ(2u, execution_->takeOrders(now_s_).size()) << "both tasks of robot 2, which leads";
+  EXPECT_TRUE(execution_->takeOrders(now_s_ + 0.2).empty());
+  const auto again = execution_->takeOrders(now_s_ + 0.31);
+  ASSERT_EQ(2u, again.size());
+  EXPECT_EQ(0, again.front().sequence);
+  EXPECT_EQ(2, again.front().robot_tasks);
+  robots_[2].take(again.front());
+  now_s_ += 0.4;
+  report(2);
+  const auto rest = execution_->takeOrders(now_s_ + 1.0);
+  ASSERT_EQ(1u, rest.size());
+  EXPECT_EQ(1, rest.front().sequence);
+}
+
+TEST_F(ExecutionTest, IgnoresLateReportsAndThoseOfOtherPlans) {
+  place(queue().front());
+  submit(queue(), 4);
+  RobotReport late = robots_[2].report(now_s_);
+  late.done = 2;
+  late.accepted = 2;
+  late.plan_id = 3;
+  execution_->report(2, late, now_s_);
+  EXPECT_EQ(0, execution_->graph()->doneCount(2)) << "plan 3 is not plan 4";
+  step();
+  const int done = execution_->graph()->doneCount(2);
+  ASSERT_GT(done, 0);
+  RobotReport old = robots_[2].report(now_s_ - 1.0);
+  old.report_id = 1;
+  old.done = 0;
+  old.accepted = 0;
+  execution_->report(2, old, now_s_);
+  EXPECT_TRUE(execution_->takeOrders(now_s_).empty()) << "an old report makes nothing new";
+  EXPECT_EQ(done, execution_->graph()->doneCount(2));
+}
+
+TEST_F(ExecutionTest, ARobotThatStartsAgainDoesNoTaskTwice) {
+  place(queue().front());
+  submit(queue(), 1);
+  step();
+  ASSERT_EQ(1, robots_[2].done);
+  Robot again;
+  again.position = robots_[2].position;
+  again.carried_out = robots_[2].carried_out;
+  robots_[2] = again;
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
+  EXPECT_EQ(std::vector<int>{1}, robots_[2].carried_out) << "task 0 was done before";
+}
+
+TEST_F(ExecutionTest, PauseReleasesNothingAndResumeGoesOn) {
+  limits_.lookahead = 1;
+  restart();
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->setMode(ExecutionMode::Pause, "by the operator");
+  for (int i = 0; i < 5; ++i) {
+    step();
+  }
+  EXPECT_EQ(1, robots_[2].done) << "it finishes what it has";
+  EXPECT_EQ(0, robots_[1].done);
+  EXPECT_EQ("by the operator", execution_->message());
+  EXPECT_EQ("pause: by the operator", execution_->view(2, now_s_).root_cause);
+  execution_->setMode(ExecutionMode::Run, "by the operator");
+  EXPECT_TRUE(stepUntil(ExecutionPhase::Finished));
+}
+
+TEST_F(ExecutionTest, NoticesSilenceBlindnessAndStandstill) {
+  place(queue().front());
+  submit(queue(), 1);
+  const auto conditionOf = [&](int robot) { return execution_->monitor(robot).condition(); };
+  // Robot 2 reports on and does not move; robot 1 says nothing.
+  for (int i = 0; i < 60; ++i) {
+    now_s_ += 0.1;
+    report(0);
+    report(2);
+    execution_->tick(now_s_);
+    if (i == 20) {
+      EXPECT_EQ(RobotCondition::Silent, conditionOf(1));
+      EXPECT_EQ(RobotCondition::Ok, conditionOf(2));
+    }
+  }
+  EXPECT_EQ(RobotCondition::Stuck, conditionOf(2));
+  EXPECT_EQ(RobotCondition::Ok, conditionOf(0)) << "who waits for others is not stuck";
+  EXPECT_EQ("robot_2", execution_->view(0, now_s_).root_cause_robot);
+  EXPECT_EQ(0u, execution_->view(0, now_s_).root_cause.find("no progress for "));
+  RobotReport blind = robots_[2].report(now_s_);
+  blind.state = ReportState::Blind;
+  blind.detail = "pose 0.3 s old";
+  execution_->report(2, blind, now_s_);
+  execution_->tick(now_s_);
+  EXPECT_EQ(RobotCondition::Blind, conditionOf(2));
+  EXPECT_EQ("no good pose: pose 0.3 s old", execution_->view(0, now_s_).root_cause);
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
+  EXPECT_EQ(RobotCondition::Ok, conditionOf(2));
+}
+
+TEST_F(ExecutionTest, AStopIsNoStandstill) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->setMode(ExecutionMode::Stop, "by the operator");
+  for (int i = 0; i < 100; ++i) {
+    now_s_ += 0.1;
+    reportAll();
+    execution_->tick(now_s_);
+  }
+  EXPECT_EQ(RobotCondition::Ok, execution_->monitor(2).condition());
+}
+
+TEST_F(ExecutionTest, ALostRobotIsPlannedAround) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->declareLost(2, "declared by the operator");
+  ASSERT_TRUE(stepUntil(ExecutionPhase::AtCut, {2}));
+  EXPECT_EQ((Cell{0, 0}), execution_->view(0, now_s_).cell);
+  EXPECT_EQ((Cell{0, 1}), execution_->view(1, now_s_).cell);
+  // It has two tasks ahead, so it may be in any of three cells.
+  const std::vector<Cell> held = {{0, 2}, {0, 3}, {0, 4}};
+  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells);
+
+  submit({{{0, 0}, {0, 1}}, {{0, 0}, {0, 2}}}, 2, 1, {"robot_0", "robot_1"});
+  EXPECT_EQ(ExecutionPhase::Refused, execution_->phase()) << "it enters a cell that is held";
+  submit({{{0, 0}, {0, 1}}, {{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}}, 3, 1, {"robot_0", "robot_1"});
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase()) << execution_->message();
+  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells);
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished, {2}));
+  EXPECT_EQ((Cell{0, 1}), execution_->view(0, now_s_).cell);
+  EXPECT_EQ((Cell{1, 2}), execution_->view(1, now_s_).cell);
+  EXPECT_EQ(3, execution_->missionRobots());
+  EXPECT_EQ(0, execution_->arrivedRobots()) << "nobody is where the mission wanted it";
+}
+
+TEST_F(ExecutionTest, OthersGoOnWhereALostRobotIsInNobodysWay) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->declareLost(0, "declared by the operator");
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished, {0}));
+  EXPECT_EQ(2, execution_->arrivedRobots());
+}
+
+TEST_F(ExecutionTest, LongTroubleMakesARobotLostIfAskedFor) {
+  limits_.lost_after_s = 3.0;
+  restart();
+  place(queue().front());
+  submit(queue(), 1);
+  ASSERT_TRUE(stepUntil(ExecutionPhase::AtCut, {2}));
+  EXPECT_TRUE(execution_->monitor(2).isLost());
+  EXPECT_GT(now_s_, 103.9);
+  EXPECT_LT(now_s_, 104.5);
+}
+
+TEST_F(ExecutionTest, AReplacementNeedsACut) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->submit(missionPlan(queue(), names_, 2, 1), now_s_);
+  EXPECT_EQ("plan 2: it replaces a plan that is not cut: no robot has been declared lost",
+            execution_->message());
+  execution_->submit(missionPlan(queue(), names_, 3, 9), now_s_);
+  EXPECT_EQ("plan 3: it replaces plan 9, but plan 1 is carried out", execution_->message());
+}
+
+TEST_F(ExecutionTest, ANewMissionWaitsUntilRobotsRest) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->announce(2);
+  EXPECT_EQ(ExecutionPhase::Receiving, execution_->phase());
+  const Configuration at_rest = {{0, 0}, {0, 1}, {0, 4}};
+  submit({at_rest, {{0, 0}, {0, 1}, {1, 4}}}, 2);
+  EXPECT_EQ(ExecutionPhase::Receiving, execution_->phase()) << "robot 2 has tasks of plan 1";
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
+  EXPECT_EQ(2u, execution_->planId());
+  EXPECT_EQ((Cell{1, 4}), execution_->view(2, now_s_).cell);
+  EXPECT_EQ(0, robots_[1].done) << "plan 1 was given up";
+}
+
+TEST_F(ExecutionTest, ALogReplaysIntoTheSameState) {
+  place(queue().front());
+  submit(queue(), 1);
+  step();
+  execution_->setMode(ExecutionMode::Pause, "by the operator");
+  collect();
+  const auto before = execution_->graph()->configuration();
+  const auto released = execution_->graph()->releasedTasks();
+  restart();
+  for (const ExecutionEvent& event : log_) {
+    execution_->replay(event);
+  }
+  EXPECT_TRUE(execution_->takeEvents().empty());
+  EXPECT_EQ(before, execution_->graph()->configuration());
+  EXPECT_EQ(released, execution_->graph()->releasedTasks());
+  EXPECT_EQ(ExecutionMode::Pause, execution_->mode());
+  EXPECT_EQ(1u, execution_->planId());
+  EXPECT_TRUE(execution_->takeOrders(now_s_).empty()) << "robots have not told yet what they have";
+  execution_->setMode(ExecutionMode::Run, "by the operator");
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
+  for (const Robot& robot : robots_) {
+    EXPECT_EQ((std::vector<int>{0, 1}), robot.carried_out);
+  }
+}
+
+TEST_F(ExecutionTest, ReplayRefusesWhatCannotHaveHappened) {
+  ExecutionEvent event;
+  event.kind = Kind::Done;
+  event.robot = 0;
+  EXPECT_THROW(execution_->replay(event), std::invalid_argument);
+  event.kind = Kind::Started;
+  EXPECT_THROW(execution_->replay(event), std::invalid_argument);
+}
+
+/// Random missions over a bad line, with restarts of both ends.
+class ExecutionProperty : public ExecutionTest {
+ protected:
+  ExecutionProperty() : ExecutionTest(8) {}
+};
+
+TEST_F(ExecutionProperty, ArrivesOverABadLineWithRestartsOfBothEnds) {
+  for (std::uint32_t seed = 0; seed < 40; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    limits_.lookahead = uniform(1, 5, rng);
+    restart();
+    log_.clear();
+    robots_.assign(8, Robot());
+    Configuration cells = Grid(kRows, kCols).freeCells();
+    std::shuffle(cells.begin(), cells.end(), rng);
+    cells.resize(robots_.size());
+    const Plan plan = test::randomWalk(Grid(kRows, kCols), cells, 12, false, rng);
+    place(cells);
+    execution_->submit(missionPlan(plan, names_, 1), now_s_);
+
+    std::vector<std::pair<int, RobotReport>> in_flight;
+    std::vector<std::vector<Cell>> walked(robots_.size());
+    for (int round = 0; execution_->phase() != ExecutionPhase::Finished; ++round) {
+      ASSERT_LT(round, 3000) << "deadlock";
+      now_s_ += 0.1;
+      collect();
+      for (const TaskOrder& order : execution_->takeOrders(now_s_)) {
+        if (uniform(0, 3, rng) > 0) {
+          robots_[index(order.robot)].take(order);
+        }
+      }
+      std::set<std::pair<int, int>> places;
+      for (int i = 0; i < 8; ++i) {
+        Robot& robot = robots_[index(i)];
+        if (uniform(0, 2, rng) > 0 && robot.hasTask()) {
+          robot.carryOut(frame_);
+          walked[index(i)].push_back(frame_.toCell(robot.position));
+        }
+        const Cell cell = frame_.toCell(robot.position);
+        ASSERT_TRUE(places.insert({cell.row, cell.col}).second) << "collision";
+        const int copies = uniform(0, 2, rng);
+        const RobotReport report = robot.report(now_s_);
+        for (int copy = 0; copy < copies; ++copy) {
+          in_flight.emplace_back(i, report);
+        }
+        // A robot that has told what it has done may forget everything.
+        if (robot.done == execution_->graph()->doneCount(i) && uniform(0, 30, rng) == 0) {
+          const Point position = robot.position;
+          robot = Robot();
+          robot.position = position;
+        }
+      }
+      std::shuffle(in_flight.begin(), in_flight.end(), rng);
+      while (in_flight.size() > 6) {
+        execution_->report(in_flight.back().first, in_flight.back().second, now_s_);
+        in_flight.pop_back();
+      }
+      execution_->tick(now_s_);
+      if (uniform(0, 40, rng) == 0) {
+        collect();
+        restart();
+        for (const ExecutionEvent& event : log_) {
+          execution_->replay(event);
+        }
+      }
+    }
+    // Each robot walked its own path, every cell of it once.
+    for (std::size_t agent = 0; agent < robots_.size(); ++agent) {
+      std::vector<Cell> expected;
+      for (std::size_t t = 1; t < plan.size(); ++t) {
+        if (plan[t][agent] != plan[t - 1][agent]) {
+          expected.push_back(plan[t][agent]);
+        }
+      }
+      ASSERT_EQ(expected, walked[agent]);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sylph
