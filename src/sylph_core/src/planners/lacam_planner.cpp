@@ -2,20 +2,24 @@
 
 #include <utility>
 
+#include "sylph_core/planners/first_solution.hpp"
+#include "sylph_core/planners/improvement.hpp"
 #include "sylph_core/planners/social_states.hpp"
 #include "sylph_core/search/lacam.hpp"
-#include "sylph_core/search/large_neighborhood_search.hpp"
 
 namespace sylph {
 namespace {
 
-Outcome outcomeOf(const Lacam& lacam, Lacam::Status status, const PlanningResult& result,
-                  const PlanningLimits& limits) {
-  if (!lacam.isSolved()) {
-    return status == Lacam::Status::Exhausted ? Outcome::Unsolvable : Outcome::TimeLimit;
+Outcome outcomeOf(Lacam::Status status, std::size_t plan_size, const PlanningLimits& limits) {
+  switch (status) {
+    case Lacam::Status::Exhausted:
+      return Outcome::Unsolvable;
+    case Lacam::Status::Unfinished:
+      return Outcome::TimeLimit;
+    case Lacam::Status::Solved:
+      break;
   }
-  return static_cast<int>(result.plan.size()) - 1 > limits.max_steps ? Outcome::StepLimit
-                                                                     : Outcome::Solved;
+  return static_cast<int>(plan_size) - 1 > limits.max_steps ? Outcome::StepLimit : Outcome::Solved;
 }
 
 }  // namespace
@@ -27,23 +31,21 @@ PlanningResult LacamPlanner::plan(const Instance& instance, const PlanningLimits
                                   Rng& rng) const {
   const Deadline deadline(limits.time_limit_s);
   const SearchProblem problem(instance);
-  const auto generator = make_generator_(problem, deadline, rng);
-  Lacam lacam(problem.graph, problem.starts, problem.goals, problem.distances, problem.motion,
-              *generator, rng);
-  const Lacam::Status status = lacam.search(deadline);
+  FirstSolution first = findFirstSolution(problem, make_generator_, deadline, rng);
   PlanningResult result;
   result.statistics.first_solution_s = deadline.elapsed();
-  std::vector<Vertices> best = lacam.plan();
-  if (lacam.isSolved() && !limits.first_solution_only) {
-    LargeNeighborhoodSearch improvement(problem, best);
-    improvement.run(deadline, rng);
-    best = improvement.plan();
-    result.statistics.improvements = improvement.improvementCount();
+  result.statistics.search_nodes = first.nodes;
+  std::vector<Vertices> best = std::move(first.plan);
+  if (first.status == Lacam::Status::Solved && !limits.first_solution_only) {
+    Improvement improvement =
+        improve(problem, std::move(best), make_generator_, limits.threads, deadline, rng);
+    best = std::move(improvement.plan);
+    result.statistics.improvements = improvement.improvements;
+    result.statistics.search_nodes += improvement.nodes;
   }
   result.plan = problem.graph.toPlan(best);
-  result.outcome = outcomeOf(lacam, status, result, limits);
+  result.outcome = outcomeOf(first.status, result.plan.size(), limits);
   result.social = socialStatesOf(problem, instance.grid, result.plan);
-  result.statistics.search_nodes = lacam.nodeCount();
   result.statistics.total_s = deadline.elapsed();
   return result;
 }

@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "sylph_core/planners/social_states.hpp"
+#include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/pibt_generator.hpp"
 
 namespace sylph {
@@ -14,7 +15,7 @@ PlanningResult PibtPlanner::plan(const Instance& instance, const PlanningLimits&
                                  Rng& rng) const {
   const Deadline deadline(limits.time_limit_s);
   const SearchProblem problem(instance);
-  const auto generator = make_generator_(problem, deadline, rng);
+  const auto generator = make_generator_(problem, 0, rng);
   std::vector<Vertices> configurations = {problem.starts};
   std::vector<int> waited(problem.starts.size(), 0);
   PlanningResult result;

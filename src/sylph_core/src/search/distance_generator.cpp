@@ -1,32 +1,27 @@
 #include "sylph_core/search/distance_generator.hpp"
 
-#include <utility>
-
 #include "sylph_core/search/distance_ranking.hpp"
-#include "sylph_core/search/guide_paths.hpp"
 #include "sylph_core/search/pibt_generator.hpp"
 
 namespace sylph {
 namespace {
 
-constexpr int kDetourOfGuides = 10;  // cells
-
-std::vector<double> startDistances(const SearchProblem& problem) {
-  std::vector<double> distances;
-  distances.reserve(problem.starts.size());
+std::vector<double> makeTieBreaks(const SearchProblem& problem, int attempt, Rng& rng) {
+  std::vector<double> tie_breaks;
+  tie_breaks.reserve(problem.starts.size());
   for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
-    distances.push_back(problem.distances.get(agent, problem.starts[agent]));
+    tie_breaks.push_back(attempt == 0 ? problem.distances.get(agent, problem.starts[agent])
+                                      : static_cast<double>(rng()));
   }
-  return distances;
+  return tie_breaks;
 }
 
 class DistanceGenerator : public ConfigurationGenerator {
  public:
-  DistanceGenerator(const SearchProblem& problem, GuidePaths guides, Rng& rng)
-      : guides_(std::move(guides)),
-        ranking_(problem.distances, guides_, rng),
+  DistanceGenerator(const SearchProblem& problem, int attempt, Rng& rng)
+      : ranking_(problem.distances, rng),
         pibt_(Pibt(problem.graph, problem.goals, problem.distances, problem.motion), ranking_,
-              startDistances(problem)) {}
+              makeTieBreaks(problem, attempt, rng)) {}
 
   std::vector<AgentId> order(const Vertices& configuration,
                              const std::vector<int>& waited) override {
@@ -37,18 +32,15 @@ class DistanceGenerator : public ConfigurationGenerator {
   }
 
  private:
-  GuidePaths guides_;
   DistanceRanking ranking_;
-  PibtGenerator pibt_;
+  PibtGenerator pibt_;  // refers to ranking_
 };
 
 }  // namespace
 
 std::unique_ptr<ConfigurationGenerator> makeDistanceGenerator(const SearchProblem& problem,
-                                                              const Deadline& deadline, Rng& rng) {
-  GuidePaths guides = GuidePaths::spreadOut(problem.graph, problem.starts, problem.goals,
-                                            problem.distances, kDetourOfGuides, deadline, rng);
-  return std::make_unique<DistanceGenerator>(problem, std::move(guides), rng);
+                                                              int attempt, Rng& rng) {
+  return std::make_unique<DistanceGenerator>(problem, attempt, rng);
 }
 
 }  // namespace sylph

@@ -9,6 +9,8 @@ namespace sylph {
 namespace {
 
 constexpr int kStepsBetweenClockReads = 16;
+// Once there is a solution, depth first alone would stay near its end.
+constexpr int kStepsBetweenJumps = 64;
 
 std::uint64_t hashOf(const Vertices& configuration) {
   std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
@@ -21,35 +23,33 @@ std::uint64_t hashOf(const Vertices& configuration) {
 
 }  // namespace
 
-Lacam::Lacam(const Graph& graph, const Vertices& starts, const Vertices& goals,
-             const DistanceTables& distances, MotionModel motion, ConfigurationGenerator& generator,
-             Rng& rng)
-    : graph_(&graph),
-      goals_(goals),
-      distances_(&distances),
-      motion_(motion),
-      generator_(&generator),
-      rng_(&rng) {
-  start_ = addNode(starts, hashOf(starts), nullptr);
+Lacam::Lacam(const SearchProblem& problem, ConfigurationGenerator& generator, Rng& rng)
+    : problem_(&problem), generator_(&generator), rng_(&rng) {
+  start_ = addNode(problem.starts, hashOf(problem.starts), nullptr);
   open_.push_back(start_);
 }
 
-Lacam::Status Lacam::search(const Deadline& deadline) {
+Lacam::Status Lacam::search(const Deadline& deadline, long max_steps) {
   const long cost_before = goal_ == nullptr ? 0 : goal_->cost;
   const bool was_solved = isSolved();
+  long steps = 0;
   for (long iteration = 0; !open_.empty(); ++iteration) {
-    if (iteration % kStepsBetweenClockReads == 0 && deadline.isOver()) {
-      return Status::OutOfTime;
+    if (steps == max_steps || (iteration % kStepsBetweenClockReads == 0 && deadline.isOver())) {
+      return Status::Unfinished;
+    }
+    if (isSolved() && (*rng_)() % kStepsBetweenJumps == 0) {
+      std::swap(open_[(*rng_)() % open_.size()], open_.back());
     }
     Node& node = *open_.back();
     if (!isWorthwhile(node) || node.next_constraint == node.constraints.size()) {
       open_.pop_back();
       continue;
     }
-    if (!isSolved() && node.configuration == goals_) {
+    if (!isSolved() && node.configuration == problem_->goals) {
       goal_ = &node;
     } else {
       expandOnce(node);
+      ++steps;
     }
     if (isSolved() && (!was_solved || goal_->cost < cost_before)) {
       return Status::Solved;
@@ -82,7 +82,7 @@ void Lacam::expandOnce(Node& node) {
 
 // Writes the vertices that a constraint and its ancestors bind agents to into to_.
 void Lacam::bind(const Node& node, std::size_t constraint) {
-  to_.assign(goals_.size(), kNoVertex);
+  to_.assign(problem_->goals.size(), kNoVertex);
   const Constraint* bound = &node.constraints[constraint];
   while (bound->depth > 0) {
     to_[node.order[bound->depth - 1]] = bound->target;
@@ -92,11 +92,11 @@ void Lacam::bind(const Node& node, std::size_t constraint) {
 
 void Lacam::appendChildren(Node& node, std::size_t constraint) {
   const int depth = node.constraints[constraint].depth;
-  if (depth == static_cast<int>(goals_.size())) {
+  if (depth == static_cast<int>(problem_->goals.size())) {
     return;
   }
   const VertexId at = node.configuration[node.order[depth]];
-  const Graph::Neighbors neighbors = graph_->neighbors(at);
+  const Graph::Neighbors neighbors = problem_->graph.neighbors(at);
   Vertices targets(neighbors.begin(), neighbors.end());
   targets.push_back(at);
   std::shuffle(targets.begin(), targets.end(), *rng_);
@@ -123,7 +123,7 @@ bool Lacam::isConsistent(const Node& node, int depth, VertexId target) const {
     const auto leaving = std::find_if(bound_begin, bound_end, [&](const AgentId other) {
       return node.configuration[other] == entered && to_[other] != entered;
     });
-    if (leaving == bound_end || (motion_.rotations && length > 2)) {
+    if (leaving == bound_end || (problem_->motion.rotations && length > 2)) {
       return true;
     }
     entered = to_[*leaving];
@@ -143,12 +143,12 @@ Lacam::Node* Lacam::addNode(const Vertices& configuration, std::uint64_t hash, N
   node.configuration = configuration;
   node.parent = parent;
   node.waited =
-      updateWaited(parent == nullptr ? std::vector<int>(goals_.size(), 0) : parent->waited,
-                   configuration, goals_);
+      updateWaited(parent == nullptr ? std::vector<int>(problem_->goals.size(), 0) : parent->waited,
+                   configuration, problem_->goals);
   node.order = generator_->order(configuration, node.waited);
   node.constraints.push_back({0, 0, kNoVertex});
   node.cost = parent == nullptr ? 0 : parent->cost + stepCost(parent->configuration, configuration);
-  node.cost_to_go = distances_->sum(configuration);
+  node.cost_to_go = problem_->distances.sum(configuration);
   explored_.emplace(hash, &node);
   if (nearest_ == nullptr || node.cost_to_go < nearest_->cost_to_go) {
     nearest_ = &node;
@@ -193,12 +193,15 @@ void Lacam::insert(const std::vector<Vertices>& plan) {
     }
     node = next;
   }
+  if (node->configuration == problem_->goals) {
+    goal_ = node;
+  }
 }
 
 long Lacam::stepCost(const Vertices& from, const Vertices& to) const {
   long cost = 0;
-  for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
-    cost += from[agent] != goals_[agent] || to[agent] != goals_[agent] ? 1 : 0;
+  for (std::size_t agent = 0; agent < problem_->goals.size(); ++agent) {
+    cost += from[agent] != problem_->goals[agent] || to[agent] != problem_->goals[agent] ? 1 : 0;
   }
   return cost;
 }

@@ -1,24 +1,26 @@
 #include "sylph_core/search/large_neighborhood_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <utility>
 
 namespace sylph {
 namespace {
 
 constexpr std::array<int, 5> kSizes = {2, 4, 8, 16, 32};  // agents in a neighbourhood
+constexpr int kIterationsBetweenShrinks = 256;
+constexpr double kForgetting = 0.01;
+constexpr double kExploration = 0.2;  // share of neighbourhoods drawn without regard to gains
 
-// The agent's vertices up to its last arrival.
-VertexPath pathOf(const std::vector<Vertices>& plan, AgentId agent) {
-  std::size_t length = plan.size();
-  while (length > 1 && plan[length - 2][agent] == plan.back()[agent]) {
-    --length;
-  }
-  VertexPath path(length);
-  for (std::size_t timestep = 0; timestep < length; ++timestep) {
-    path[timestep] = plan[timestep][agent];
-  }
-  return path;
+// In (0, 1].
+double drawShare(Rng& rng) {
+  return (static_cast<double>(rng()) + 1.0) / 4294967296.0;
+}
+
+// Room for agents to arrive somewhat later than the last one does now.
+int horizonFor(int makespan) {
+  return makespan + makespan / 16 + 4;
 }
 
 }  // namespace
@@ -26,68 +28,81 @@ VertexPath pathOf(const std::vector<Vertices>& plan, AgentId agent) {
 LargeNeighborhoodSearch::LargeNeighborhoodSearch(const SearchProblem& problem,
                                                  const std::vector<Vertices>& plan)
     : problem_(&problem),
-      table_(problem.graph, problem.motion, problem.agentCount(), static_cast<int>(plan.size())),
+      table_(problem.graph, problem.motion, problem.agentCount(), 1),
       search_(problem.graph),
-      neighborhoods_(problem.graph, problem.goals, problem.distances, table_) {
-  for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
-    table_.insert(agent, pathOf(plan, agent));
-    cost_ += costOf(agent);
-    lower_bound_ += problem.distances.get(agent, problem.starts[agent]);
-  }
+      neighborhoods_(problem.graph, problem.goals, problem.distances, table_),
+      lower_bound_(problem.distances.sum(problem.starts)) {
+  const int agents = problem.agentCount();
   for (const NeighborhoodKind kind : kNeighborhoodKinds) {
     for (const int size : kSizes) {
-      if (size <= std::max(problem.agentCount(), kSizes.front())) {
-        arms_.push_back({kind, std::min(size, problem.agentCount()), 1.0});
+      if (size <= std::max(agents, kSizes.front())) {
+        arms_.push_back({kind, std::min(size, agents)});
       }
     }
   }
+  take(pathsOf(plan));
 }
 
-void LargeNeighborhoodSearch::run(const Deadline& deadline, Rng& rng) {
-  constexpr double kForgetting = 0.01;
-  double before = deadline.elapsed();
-  while (cost_ > lower_bound_ && !deadline.isOver()) {
-    ++iterations_;
+void LargeNeighborhoodSearch::offer(const std::vector<Vertices>& plan) {
+  std::vector<VertexPath> paths = pathsOf(plan);
+  if (sumOfCosts(paths) < best_cost_) {
+    ++improvements_;
+    take(std::move(paths));
+  }
+}
+
+void LargeNeighborhoodSearch::take(std::vector<VertexPath> paths) {
+  fillTable(paths);
+  cost_ = sumOfCosts(paths);
+  best_cost_ = cost_;
+  best_paths_ = std::move(paths);
+}
+
+void LargeNeighborhoodSearch::run(const Deadline& deadline, double temperature, Rng& rng) {
+  double before_s = deadline.elapsed();
+  for (long iteration = 1; best_cost_ > lower_bound_ && !deadline.isOver(); ++iteration) {
+    Arm& arm = arms_[drawArm(rng)];
+    const auto allowed_loss = static_cast<long>(-temperature * std::log(drawShare(rng)));
     const long cost_before = cost_;
-    const std::size_t arm = drawArm(rng);
-    improve(neighborhoods_.pick(arms_[arm].kind, arms_[arm].size, rng), rng);
-    improvements_ += cost_ < cost_before ? 1 : 0;
-    const double now = deadline.elapsed();
-    const double gain_per_s =
-        static_cast<double>(cost_before - cost_) / std::max(now - before, 1e-6);
-    before = now;
-    arms_[arm].weight += kForgetting * (gain_per_s - arms_[arm].weight);
+    replan(neighborhoods_.pick(arm.kind, arm.size, rng), allowed_loss, rng);
+    keepIfBest();
+    if (iteration % kIterationsBetweenShrinks == 0) {
+      shrinkTable();
+    }
+    const double now_s = deadline.elapsed();
+    const auto gain = static_cast<double>(std::max(0L, cost_before - cost_));
+    arm.gain_per_s += kForgetting * (gain / std::max(now_s - before_s, 1e-6) - arm.gain_per_s);
+    before_s = now_s;
   }
 }
 
 std::size_t LargeNeighborhoodSearch::drawArm(Rng& rng) const {
-  double total = 0.0;
-  for (const Arm& arm : arms_) {
-    total += arm.weight;
-  }
-  constexpr double kExploration = 0.2;
-  const double share = static_cast<double>(rng()) / 4294967296.0;
-  if (total <= 0.0 || share < kExploration) {
+  if (drawShare(rng) < kExploration) {
     return rng() % arms_.size();
   }
-  double ticket = static_cast<double>(rng()) / 4294967296.0 * total;
-  std::size_t arm = 0;
-  while (arm + 1 < arms_.size() && ticket >= arms_[arm].weight) {
-    ticket -= arms_[arm].weight;
-    ++arm;
+  double total = 0.0;
+  for (const Arm& arm : arms_) {
+    total += arm.gain_per_s;
   }
-  return arm;
+  double ticket = drawShare(rng) * total;
+  std::size_t index = 0;
+  while (index + 1 < arms_.size() && ticket > arms_[index].gain_per_s) {
+    ticket -= arms_[index].gain_per_s;
+    ++index;
+  }
+  return index;
 }
 
-bool LargeNeighborhoodSearch::improve(std::vector<AgentId> agents, Rng& rng) {
+// @return whether the agents have new paths; otherwise they keep their old ones
+bool LargeNeighborhoodSearch::replan(std::vector<AgentId> agents, long allowed_loss, Rng& rng) {
   std::shuffle(agents.begin(), agents.end(), rng);
   std::vector<VertexPath> old_paths;
   long old_cost = 0;
   long least_cost = 0;
   for (const AgentId agent : agents) {
-    old_cost += costOf(agent);
-    least_cost += problem_->distances.get(agent, problem_->starts[agent]);
     old_paths.push_back(table_.path(agent));
+    old_cost += costOf(agent);
+    least_cost += leastCostOf(agent);
   }
   if (old_cost == least_cost) {
     return false;
@@ -95,27 +110,12 @@ bool LargeNeighborhoodSearch::improve(std::vector<AgentId> agents, Rng& rng) {
   for (const AgentId agent : agents) {
     table_.remove(agent);
   }
-  long new_cost = 0;
-  std::size_t planned = 0;
-  for (; planned < agents.size(); ++planned) {
-    const AgentId agent = agents[planned];
-    least_cost -= problem_->distances.get(agent, problem_->starts[agent]);
-    const VertexPath path = search_.find(
-        table_, problem_->starts[agent], problem_->goals[agent],
-        static_cast<Timestep>(std::min<long>(table_.horizon(), old_cost - new_cost - least_cost)),
-        rng);
-    if (path.empty()) {
-      break;
+  if (planAll(agents, old_cost + allowed_loss, rng)) {
+    for (const AgentId agent : agents) {
+      cost_ += costOf(agent);
     }
-    new_cost += static_cast<long>(path.size()) - 1;
-    table_.insert(agent, path);
-  }
-  if (planned == agents.size()) {
-    cost_ += new_cost - old_cost;
+    cost_ -= old_cost;
     return true;
-  }
-  for (std::size_t index = 0; index < planned; ++index) {
-    table_.remove(agents[index]);
   }
   for (std::size_t index = 0; index < agents.size(); ++index) {
     table_.insert(agents[index], old_paths[index]);
@@ -123,18 +123,66 @@ bool LargeNeighborhoodSearch::improve(std::vector<AgentId> agents, Rng& rng) {
   return false;
 }
 
-std::vector<Vertices> LargeNeighborhoodSearch::plan() const {
-  std::size_t length = 1;
-  for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
-    length = std::max(length, table_.path(agent).size());
+// Prioritised planning. Leaves none of the agents in the table where not all of them can be planned
+// at that cost.
+bool LargeNeighborhoodSearch::planAll(const std::vector<AgentId>& agents, long max_cost, Rng& rng) {
+  long least_cost_of_rest = 0;
+  for (const AgentId agent : agents) {
+    least_cost_of_rest += leastCostOf(agent);
   }
-  std::vector<Vertices> plan(length, Vertices(problem_->starts.size()));
-  for (std::size_t timestep = 0; timestep < length; ++timestep) {
-    for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
-      plan[timestep][agent] = table_.position(agent, static_cast<Timestep>(timestep));
+  long cost = 0;
+  for (auto agent = agents.begin(); agent != agents.end(); ++agent) {
+    least_cost_of_rest -= leastCostOf(*agent);
+    const long latest_arrival =
+        std::min<long>(table_.horizon(), max_cost - cost - least_cost_of_rest);
+    const VertexPath path = search_.find(table_, problem_->starts[*agent], problem_->goals[*agent],
+                                         static_cast<Timestep>(latest_arrival), rng);
+    if (path.empty()) {
+      std::for_each(agents.begin(), agent, [&](const AgentId planned) { table_.remove(planned); });
+      return false;
     }
+    cost += static_cast<long>(path.size()) - 1;
+    table_.insert(*agent, path);
   }
-  return plan;
+  return true;
+}
+
+void LargeNeighborhoodSearch::keepIfBest() {
+  if (cost_ >= best_cost_) {
+    return;
+  }
+  ++improvements_;
+  best_cost_ = cost_;
+  for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
+    best_paths_[agent] = table_.path(agent);
+  }
+}
+
+void LargeNeighborhoodSearch::fillTable(const std::vector<VertexPath>& paths) {
+  std::size_t longest = 1;
+  for (const VertexPath& path : paths) {
+    longest = std::max(longest, path.size());
+  }
+  table_ = ReservationTable(problem_->graph, problem_->motion, problem_->agentCount(),
+                            horizonFor(static_cast<int>(longest) - 1));
+  for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
+    table_.insert(agent, paths[agent]);
+  }
+}
+
+// Paths get shorter, and layers after the last arrival only cost time.
+void LargeNeighborhoodSearch::shrinkTable() {
+  int makespan = 0;
+  for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
+    makespan = std::max(makespan, costOf(agent));
+  }
+  if (horizonFor(makespan) * 10 < table_.horizon() * 9) {
+    std::vector<VertexPath> paths;
+    for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
+      paths.push_back(table_.path(agent));
+    }
+    fillTable(paths);
+  }
 }
 
 }  // namespace sylph

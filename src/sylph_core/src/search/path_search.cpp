@@ -33,15 +33,38 @@ void spreadOnce(const std::uint64_t* from, std::uint64_t* to, const ReservationT
 
 }  // namespace
 
-VertexPath PathSearch::find(const ReservationTable& table, VertexId start, VertexId goal,
+VertexPath PathSearch::find(ReservationTable& table, VertexId start, VertexId goal,
                             Timestep latest_arrival, Rng& rng) {
-  const Timestep arrival = spread(table, start, goal, std::min(latest_arrival, table.horizon()));
-  return arrival < 0 ? VertexPath() : trace(table, goal, arrival, rng);
+  struct Closing {
+    VertexId from;
+    VertexId to;
+    Timestep arrival;
+  };
+  std::vector<Closing> closings;
+  VertexPath path;
+  while (true) {
+    const Timestep arrival = spread(table, start, goal, std::min(latest_arrival, table.horizon()));
+    path = arrival < 0 ? VertexPath() : trace(table, goal, arrival, rng);
+    const Timestep ring = table.ringClosedBy(path);
+    if (ring == 0) {
+      break;
+    }
+    closings.push_back({path[ring - 1], path[ring], ring});
+    table.setClosedTo(path[ring - 1], path[ring], ring, true);
+  }
+  for (const Closing& closing : closings) {
+    table.setClosedTo(closing.from, closing.to, closing.arrival, false);
+  }
+  return path;
 }
 
 // @return the first timestep at which the agent can be on its goal for good, -1 if there is none
 Timestep PathSearch::spread(const ReservationTable& table, VertexId start, VertexId goal,
                             Timestep latest_arrival) {
+  const Timestep goal_free_from = table.freeFrom(goal);
+  if (goal_free_from > latest_arrival) {
+    return -1;
+  }
   const BitLayout& layout = table.layout();
   margin_ = layout.stride / kBitsPerWord + 2;
   const std::size_t row = static_cast<std::size_t>(layout.words + 2 * margin_);
@@ -56,7 +79,6 @@ Timestep PathSearch::spread(const ReservationTable& table, VertexId start, Verte
     return -1;
   }
   reached[start_bit / kBitsPerWord] |= std::uint64_t{1} << (start_bit % kBitsPerWord);
-  const Timestep goal_free_from = table.freeFrom(goal);
   for (Timestep timestep = 0; timestep <= latest_arrival; ++timestep) {
     if (timestep >= goal_free_from && isReached(layout, goal, timestep)) {
       return timestep;
@@ -89,7 +111,7 @@ VertexPath PathSearch::trace(const ReservationTable& table, VertexId goal, Times
       origins[count++] = vertex;
     }
     for (const VertexId origin : graph_->neighbors(vertex)) {
-      if (isReached(layout, origin, timestep - 1) && table.isOpen(origin, vertex, timestep)) {
+      if (isReached(layout, origin, timestep - 1) && !table.isClosedTo(origin, vertex, timestep)) {
         origins[count++] = origin;
       }
     }

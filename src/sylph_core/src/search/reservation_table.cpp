@@ -6,11 +6,6 @@ namespace sylph {
 namespace {
 
 constexpr int kBitsPerWord = 64;
-constexpr int kNoDirection = -1;
-
-std::uint64_t maskOf(std::uint32_t bit) {
-  return std::uint64_t{1} << (bit % kBitsPerWord);
-}
 
 }  // namespace
 
@@ -29,17 +24,16 @@ ReservationTable::ReservationTable(const Graph& graph, MotionModel motion, int a
     : layout_(graph),
       motion_(motion),
       horizon_(horizon),
-      vertex_count_(static_cast<std::size_t>(graph.size())),
       layers_(static_cast<std::size_t>(horizon + 1) *
                   static_cast<std::size_t>(kRowsPerLayer * layout_.words),
               0),
-      occupants_(static_cast<std::size_t>(horizon + 1) * vertex_count_, kNoAgent),
+      visits_(static_cast<std::size_t>(graph.size()) * static_cast<std::size_t>(horizon + 1)),
       paths_(static_cast<std::size_t>(agents)) {
   for (Timestep timestep = 0; timestep <= horizon; ++timestep) {
     std::uint64_t* closed = layer(timestep);
     std::fill(closed, closed + layout_.words, ~std::uint64_t{0});
     for (const std::uint32_t bit : layout_.bits) {
-      closed[bit / kBitsPerWord] &= ~maskOf(bit);
+      closed[bit / kBitsPerWord] &= ~(std::uint64_t{1} << (bit % kBitsPerWord));
     }
   }
 }
@@ -48,99 +42,67 @@ void ReservationTable::insert(AgentId agent, const VertexPath& path) {
   paths_[agent] = path;
   for (Timestep timestep = 0; timestep <= horizon_; ++timestep) {
     const VertexId vertex = position(agent, timestep);
-    const std::uint32_t bit = layout_.bitOf(vertex);
-    layer(timestep)[bit / kBitsPerWord] |= maskOf(bit);
-    occupantRef(vertex, timestep) = agent;
+    layer(timestep)[layout_.bitOf(vertex) / kBitsPerWord] |= maskOf(vertex);
+    visit(vertex, timestep) = {agent, timestep == 0 ? kNoVertex : position(agent, timestep - 1),
+                               position(agent, timestep + 1)};
   }
-  for (std::size_t timestep = 1; timestep < path.size(); ++timestep) {
-    if (path[timestep - 1] != path[timestep]) {
-      noteMove(path[timestep - 1], path[timestep], static_cast<Timestep>(timestep), true);
-    }
-  }
+  setSwapsClosed(path, true);
 }
 
 void ReservationTable::remove(AgentId agent) {
-  const VertexPath& path = paths_[agent];
-  for (std::size_t timestep = 1; timestep < path.size(); ++timestep) {
-    if (path[timestep - 1] != path[timestep]) {
-      noteMove(path[timestep - 1], path[timestep], static_cast<Timestep>(timestep), false);
-    }
-  }
+  setSwapsClosed(paths_[agent], false);
   for (Timestep timestep = 0; timestep <= horizon_; ++timestep) {
     const VertexId vertex = position(agent, timestep);
-    const std::uint32_t bit = layout_.bitOf(vertex);
-    layer(timestep)[bit / kBitsPerWord] &= ~maskOf(bit);
-    occupantRef(vertex, timestep) = kNoAgent;
+    layer(timestep)[layout_.bitOf(vertex) / kBitsPerWord] &= ~maskOf(vertex);
+    visit(vertex, timestep) = Visit();
   }
   paths_[agent].clear();
 }
 
-// A move joins the chain ahead of it and the chain behind it; without it they are two again.
-void ReservationTable::noteMove(VertexId from, VertexId to, Timestep arrival, bool is_inserted) {
-  if (motion_.rotations) {
-    setClosedTo(to, from, arrival, is_inserted);
-    return;
+void ReservationTable::setSwapsClosed(const VertexPath& path, bool is_closed) {
+  for (std::size_t timestep = 1; timestep < path.size(); ++timestep) {
+    if (path[timestep - 1] != path[timestep]) {
+      setClosedTo(path[timestep], path[timestep - 1], static_cast<Timestep>(timestep), is_closed);
+    }
   }
-  const VertexId head = headOf(to, arrival);
-  const VertexId tail = tailOf(from, arrival);
-  if (head != to) {
-    setClosedTo(head, to, arrival, !is_inserted);
-  }
-  if (tail != from) {
-    setClosedTo(from, tail, arrival, !is_inserted);
-  }
-  setClosedTo(head, tail, arrival, is_inserted);
 }
 
-// The vertex that the first of a chain enters, from a vertex that the chain leaves.
-VertexId ReservationTable::headOf(VertexId vertex, Timestep arrival) const {
-  AgentId leaving = occupant(vertex, arrival - 1);
-  while (leaving != kNoAgent) {
-    vertex = position(leaving, arrival);
-    leaving = occupant(vertex, arrival - 1);
-  }
-  return vertex;
-}
-
-// The vertex that the last of a chain leaves, from a vertex that the chain enters.
-VertexId ReservationTable::tailOf(VertexId vertex, Timestep arrival) const {
-  AgentId entering = occupant(vertex, arrival);
-  while (entering != kNoAgent) {
-    vertex = position(entering, arrival - 1);
-    entering = occupant(vertex, arrival);
-  }
-  return vertex;
-}
-
-// kNoDirection unless the vertices are adjacent.
-int ReservationTable::directionOf(VertexId from, VertexId to) const {
-  const int shift = static_cast<int>(layout_.bitOf(to)) - static_cast<int>(layout_.bitOf(from));
-  if (shift == 1) {
-    return kEast;
-  }
-  if (shift == -1) {
-    return kWest;
-  }
-  if (shift == layout_.stride) {
-    return kSouth;
-  }
-  return shift == -layout_.stride ? kNorth : kNoDirection;
+std::size_t ReservationTable::wordOf(VertexId from, VertexId to, Timestep arrival) const {
+  const auto bit = static_cast<int>(layout_.bitOf(to));
+  const int shift = bit - static_cast<int>(layout_.bitOf(from));
+  const Direction direction = shift == 1                ? kEast
+                              : shift == -1             ? kWest
+                              : shift == layout_.stride ? kSouth
+                                                        : kNorth;
+  return static_cast<std::size_t>(arrival) *
+             static_cast<std::size_t>(kRowsPerLayer * layout_.words) +
+         static_cast<std::size_t>((1 + direction) * layout_.words + bit / kBitsPerWord);
 }
 
 void ReservationTable::setClosedTo(VertexId from, VertexId to, Timestep arrival, bool is_closed) {
-  const int direction = directionOf(from, to);
-  if (direction == kNoDirection) {
-    return;
-  }
-  const std::uint32_t bit = layout_.bitOf(to);
-  std::uint64_t& word = layer(arrival)[(1 + direction) * layout_.words + bit / kBitsPerWord];
-  word = is_closed ? word | maskOf(bit) : word & ~maskOf(bit);
+  std::uint64_t& word = layers_[wordOf(from, to, arrival)];
+  word = is_closed ? word | maskOf(to) : word & ~maskOf(to);
 }
 
-bool ReservationTable::isOpen(VertexId from, VertexId to, Timestep arrival) const {
-  const std::uint32_t bit = layout_.bitOf(to);
-  const std::uint64_t* row = layer(arrival) + (1 + directionOf(from, to)) * layout_.words;
-  return (row[bit / kBitsPerWord] & maskOf(bit)) == 0;
+// Agents that follow each other form a chain, and a move closes a ring if the agent at the head of
+// the chain that it joins enters the vertex that the move leaves. Nobody in a chain rests: the next
+// one enters its vertex.
+Timestep ReservationTable::ringClosedBy(const VertexPath& path) const {
+  if (motion_.rotations) {
+    return 0;
+  }
+  for (std::size_t timestep = 1; timestep < path.size(); ++timestep) {
+    const auto arrival = static_cast<Timestep>(timestep);
+    const VertexId home = path[timestep - 1];
+    VertexId entered = path[timestep];
+    while (entered != kNoVertex && entered != home) {
+      entered = visit(entered, arrival - 1).to;
+    }
+    if (entered == home && path[timestep] != home) {
+      return arrival;
+    }
+  }
+  return 0;
 }
 
 Timestep ReservationTable::freeFrom(VertexId vertex) const {

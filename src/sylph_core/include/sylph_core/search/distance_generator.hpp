@@ -4,15 +4,14 @@
 
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/search/configuration_generator.hpp"
-#include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/search_problem.hpp"
 
 namespace sylph {
 
-/// PIBT by distance to the goal and by guide paths that spread the agents out: the generator of the
-/// planners without a network. Agents that wait equally long choose by distance, farthest first.
+/// PIBT by distance to the goal: the generator of the planners without a network. Agents that wait
+/// equally long choose by distance, farthest first, or from the second attempt on in random order.
 /// @param problem, rng  must outlive the result
 std::unique_ptr<ConfigurationGenerator> makeDistanceGenerator(const SearchProblem& problem,
-                                                              const Deadline& deadline, Rng& rng);
+                                                              int attempt, Rng& rng);
 
 }  // namespace sylph

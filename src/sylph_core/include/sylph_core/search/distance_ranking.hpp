@@ -2,24 +2,21 @@
 
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/search/distance_tables.hpp"
-#include "sylph_core/search/guide_paths.hpp"
 #include "sylph_core/search/move_ranking.hpp"
 
 namespace sylph {
 
-/// Prefers the vertex that an agent's guide path leads to, then those nearer to its goal; equals
-/// are in random order.
+/// Prefers vertices nearer to an agent's goal; equals are in random order.
 class DistanceRanking : public MoveRanking {
  public:
-  /// @param distances, guides, rng  must outlive this object
-  DistanceRanking(const DistanceTables& distances, const GuidePaths& guides, Rng& rng);
+  /// @param distances, rng  must outlive this object
+  DistanceRanking(const DistanceTables& distances, Rng& rng);
 
   void observe(const Vertices& configuration) override;
   void rank(AgentId agent, VertexId at, Moves& moves) override;
 
  private:
   const DistanceTables* distances_;
-  const GuidePaths* guides_;
   Rng* rng_;
 };
 

@@ -8,8 +8,8 @@
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/search/configuration_generator.hpp"
 #include "sylph_core/search/deadline.hpp"
-#include "sylph_core/search/distance_tables.hpp"
 #include "sylph_core/search/graph.hpp"
+#include "sylph_core/search/search_problem.hpp"
 
 namespace sylph {
 
@@ -32,21 +32,23 @@ namespace sylph {
 /// the goal before an agent leaves it again.
 class Lacam {
  public:
-  enum class Status { Solved, Exhausted, OutOfTime };
+  enum class Status { Solved, Exhausted, Unfinished };
 
   /// All arguments by reference must outlive this object.
-  Lacam(const Graph& graph, const Vertices& starts, const Vertices& goals,
-        const DistanceTables& distances, MotionModel motion, ConfigurationGenerator& generator,
-        Rng& rng);
+  Lacam(const SearchProblem& problem, ConfigurationGenerator& generator, Rng& rng);
 
   /// Searches until a solution is found that is better than the one known before.
-  /// @return Exhausted: there is none, so that the one known before, if any, is optimal
-  Status search(const Deadline& deadline);
+  /// @param max_steps  most calls of the generator
+  /// @return Exhausted: there is none, so that the one known before, if any, is optimal;
+  /// Unfinished: the time or the steps were not enough, another call goes on from here
+  Status search(const Deadline& deadline, long max_steps);
 
-  /// Makes the configurations of a legal plan from the starts known to the search.
+  /// Makes a solution known to the search, which then only looks for better ones.
   void insert(const std::vector<Vertices>& plan);
 
   bool isSolved() const { return goal_ != nullptr; }
+  /// Cost of the solution, at most its sum of costs.
+  long cost() const { return goal_->cost; }
   /// The solution; before there is one, the way to the configuration nearest to the goals.
   std::vector<Vertices> plan() const;
   /// Configurations generated.
@@ -80,10 +82,7 @@ class Lacam {
   bool isWorthwhile(const Node& node) const;
   long stepCost(const Vertices& from, const Vertices& to) const;
 
-  const Graph* graph_;
-  Vertices goals_;
-  const DistanceTables* distances_;
-  MotionModel motion_;
+  const SearchProblem* problem_;
   ConfigurationGenerator* generator_;
   Rng* rng_;
 

@@ -5,11 +5,9 @@
 #include <vector>
 
 #include "sylph_core/search/graph.hpp"
+#include "sylph_core/search/paths.hpp"
 
 namespace sylph {
-
-/// Vertices of one agent by timestep, start first; the agent rests on the last one.
-using VertexPath = Vertices;
 
 /// Where the cells of a graph lie in rows of bits: row by row, with at least one bit that is no
 /// cell between two rows, so that a shift of the whole row of bits is a move of all cells at once.
@@ -28,10 +26,11 @@ struct BitLayout {
 ///
 /// One layer per timestep t holds, as rows of bits, the cells that cannot be entered, because they
 /// are no free cells or because an agent is there at t, and for each direction the cells that
-/// cannot be entered by that move between t - 1 and t. Those are the moves that would close a ring
-/// of agents that all move: agents that follow each other between t - 1 and t form chains, and
-/// whoever goes from the vertex that the head of a chain enters to the vertex that its tail leaves
-/// closes it. A chain of one agent gives the swap. With rotations only swaps are kept out.
+/// cannot be entered by that move between t - 1 and t, because that would be a swap.
+///
+/// Longer rings are rare, and which move would close one depends on all agents that move in a
+/// chain. They are therefore looked for in a path that was found (ringClosedBy()), and the move is
+/// closed by hand (setClosedTo()) before the path is searched again.
 class ReservationTable {
  public:
   enum Direction { kNorth, kEast, kSouth, kWest };
@@ -52,14 +51,21 @@ class ReservationTable {
     return path[static_cast<std::size_t>(timestep < last ? timestep : last)];
   }
   AgentId occupant(VertexId vertex, Timestep timestep) const {
-    return occupants_[static_cast<std::size_t>(timestep) * vertex_count_ +
-                      static_cast<std::size_t>(vertex)];
+    return visit(vertex, timestep).agent;
   }
   /// The timestep from which on nobody is on a vertex any more, horizon + 1 if never.
   Timestep freeFrom(VertexId vertex) const;
 
-  /// Whether a move between adjacent vertices closes no ring. Says nothing on who is on `to`.
-  bool isOpen(VertexId from, VertexId to, Timestep arrival) const;
+  /// Whether a move between adjacent vertices is closed. Says nothing on who is on `to`.
+  bool isClosedTo(VertexId from, VertexId to, Timestep arrival) const {
+    return (layers_[wordOf(from, to, arrival)] & maskOf(to)) != 0;
+  }
+  /// Closes a move between adjacent vertices or opens it again.
+  void setClosedTo(VertexId from, VertexId to, Timestep arrival, bool is_closed);
+
+  /// The first arrival with which a path closes a ring of agents that all move, those inserted and
+  /// the one on the path; 0 if there is none. With rotations there never is one.
+  Timestep ringClosedBy(const VertexPath& path) const;
 
   int horizon() const { return horizon_; }
   const BitLayout& layout() const { return layout_; }
@@ -73,6 +79,13 @@ class ReservationTable {
  private:
   static constexpr int kRowsPerLayer = 5;
 
+  // Who is on a vertex at a timestep, and its vertices one timestep before and after.
+  struct Visit {
+    AgentId agent = kNoAgent;
+    VertexId from = kNoVertex;
+    VertexId to = kNoVertex;
+  };
+
   const std::uint64_t* layer(Timestep timestep) const {
     return layers_.data() + static_cast<std::size_t>(timestep) *
                                 static_cast<std::size_t>(kRowsPerLayer * layout_.words);
@@ -81,22 +94,25 @@ class ReservationTable {
     return layers_.data() + static_cast<std::size_t>(timestep) *
                                 static_cast<std::size_t>(kRowsPerLayer * layout_.words);
   }
-  AgentId& occupantRef(VertexId vertex, Timestep timestep) {
-    return occupants_[static_cast<std::size_t>(timestep) * vertex_count_ +
-                      static_cast<std::size_t>(vertex)];
+  const Visit& visit(VertexId vertex, Timestep timestep) const {
+    return visits_[static_cast<std::size_t>(vertex) * static_cast<std::size_t>(horizon_ + 1) +
+                   static_cast<std::size_t>(timestep)];
   }
-  void noteMove(VertexId from, VertexId to, Timestep arrival, bool is_inserted);
-  VertexId headOf(VertexId vertex, Timestep arrival) const;
-  VertexId tailOf(VertexId vertex, Timestep arrival) const;
-  void setClosedTo(VertexId from, VertexId to, Timestep arrival, bool is_closed);
-  int directionOf(VertexId from, VertexId to) const;
+  Visit& visit(VertexId vertex, Timestep timestep) {
+    return visits_[static_cast<std::size_t>(vertex) * static_cast<std::size_t>(horizon_ + 1) +
+                   static_cast<std::size_t>(timestep)];
+  }
+  std::uint64_t maskOf(VertexId vertex) const {
+    return std::uint64_t{1} << (layout_.bitOf(vertex) % 64);
+  }
+  std::size_t wordOf(VertexId from, VertexId to, Timestep arrival) const;
+  void setSwapsClosed(const VertexPath& path, bool is_closed);
 
   BitLayout layout_;
   MotionModel motion_;
   int horizon_;
-  std::size_t vertex_count_;
   std::vector<std::uint64_t> layers_;
-  std::vector<AgentId> occupants_;
+  std::vector<Visit> visits_;  // vertex by vertex, since agents rest for long
   std::vector<VertexPath> paths_;
 };
 

@@ -1,0 +1,164 @@
+#include "sylph_core/planners/improvement.hpp"
+
+#include <algorithm>
+#include <functional>
+#include <memory>
+#include <thread>
+#include <utility>
+
+#include "sylph_core/search/lacam.hpp"
+#include "sylph_core/search/large_neighborhood_search.hpp"
+#include "sylph_core/search/paths.hpp"
+
+namespace sylph {
+namespace {
+
+constexpr double kTurnsPerLimit = 50.0;
+constexpr double kLongestTurn_s = 0.5;
+// As in simulated annealing the large-neighbourhood search lets some losses pass, fewer and fewer
+// towards the end; but not while there is enough to be had without, more than this share a turn.
+constexpr double kFirstTemperature = 1.0;
+constexpr long kStepsPerStepOfPlan = 10;
+constexpr double kPlentifulGain = 0.001;
+constexpr double kShareOfNewStarts = 0.05;  // of the time, for finding a better plan to begin with
+
+/// One large-neighbourhood search per thread.
+class Workers {
+ public:
+  Workers(const SearchProblem& problem, const std::vector<Vertices>& plan, int threads, Rng& rng) {
+    for (int thread = 0; thread < threads; ++thread) {
+      searches_.push_back(std::make_unique<LargeNeighborhoodSearch>(problem, plan));
+      rngs_.emplace_back(thread == 0 ? rng : Rng(rng()));
+    }
+  }
+
+  void run(const Deadline& deadline, double temperature) {
+    std::vector<std::thread> threads;
+    for (std::size_t worker = 1; worker < searches_.size(); ++worker) {
+      threads.emplace_back([this, worker, &deadline, temperature] {
+        searches_[worker]->run(deadline, temperature, rngs_[worker]);
+      });
+    }
+    searches_.front()->run(deadline, temperature, rngs_.front());
+    for (std::thread& thread : threads) {
+      thread.join();
+    }
+    offer(best().plan());
+  }
+
+  /// Goes on from another plan where that is better.
+  void offer(const std::vector<Vertices>& plan) {
+    for (const auto& search : searches_) {
+      search->offer(plan);
+    }
+  }
+
+  const LargeNeighborhoodSearch& best() const {
+    return **std::min_element(searches_.begin(), searches_.end(),
+                              [](const auto& a, const auto& b) { return a->cost() < b->cost(); });
+  }
+
+ private:
+  std::vector<std::unique_ptr<LargeNeighborhoodSearch>> searches_;
+  std::vector<Rng> rngs_;
+};
+
+/// LaCAM* beside the large-neighbourhood search. It gets a share of the time that depends on how
+/// much it can see of the configurations of that many agents.
+class Rewiring {
+ public:
+  Rewiring(const SearchProblem& problem, const GeneratorFactory& make_generator, Rng& rng)
+      : generator_(make_generator(problem, 0, rng)),
+        lacam_(problem, *generator_, rng),
+        agents_(problem.agentCount()) {}
+
+  enum class Result { Nothing, Better, Optimal };
+
+  /// @param plan, cost  the best plan so far and its sum of costs
+  Result run(const std::vector<Vertices>& plan, long cost, double turn_s) {
+    if (is_exhausted_ || lacam_.nodeCount() * agents_ > kMostVerticesKept) {
+      return Result::Nothing;
+    }
+    lacam_.insert(plan);
+    const double share = agents_ <= kFewAgents ? kShareOfFew : kShareOfMany;
+    const Lacam::Status status = lacam_.search(Deadline(share * turn_s), kNoStepLimit);
+    is_exhausted_ = status == Lacam::Status::Exhausted;
+    // Exhausted, the cost is least in LaCAM's measure, which is at most the sum of costs.
+    return is_exhausted_ && lacam_.cost() == cost ? Result::Optimal
+           : status == Lacam::Status::Solved      ? Result::Better
+                                                  : Result::Nothing;
+  }
+
+  const Lacam& lacam() const { return lacam_; }
+
+ private:
+  static constexpr int kFewAgents = 10;
+  static constexpr double kShareOfFew = 0.5;
+  static constexpr double kShareOfMany = 0.05;
+  static constexpr long kMostVerticesKept = 30'000'000;
+  static constexpr long kNoStepLimit = -1;
+
+  std::unique_ptr<ConfigurationGenerator> generator_;
+  Lacam lacam_;
+  long agents_;
+  bool is_exhausted_ = false;
+};
+
+// The best of a plan and of what searches that start anew find in the time given. How long the
+// first plan is varies a lot where agents are in each other's way.
+std::vector<Vertices> bestOfNewStarts(const SearchProblem& problem, std::vector<Vertices> plan,
+                                      const GeneratorFactory& make_generator,
+                                      const Deadline& deadline, Rng& rng) {
+  const auto steps = static_cast<long>(plan.size());
+  long best_cost = sumOfCosts(pathsOf(plan));
+  for (int attempt = 1; !deadline.isOver(); ++attempt) {
+    const auto generator = make_generator(problem, attempt, rng);
+    Lacam lacam(problem, *generator, rng);
+    lacam.search(deadline, kStepsPerStepOfPlan * steps);
+    const long cost = sumOfCosts(pathsOf(lacam.plan()));
+    if (lacam.isSolved() && cost < best_cost) {
+      best_cost = cost;
+      plan = lacam.plan();
+    }
+  }
+  return plan;
+}
+
+}  // namespace
+
+Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
+                    const GeneratorFactory& make_generator, int threads, const Deadline& deadline,
+                    Rng& rng) {
+  problem.distances.computeAll();
+  const double time_s = deadline.remaining();
+  const double turn_s = std::min(time_s / kTurnsPerLimit, kLongestTurn_s);
+  const long lower_bound = problem.distances.sum(problem.starts);
+  Improvement improvement;
+  plan = bestOfNewStarts(problem, std::move(plan), make_generator,
+                         Deadline(kShareOfNewStarts * time_s), rng);
+  Workers workers(problem, plan, threads, rng);
+  Rewiring rewiring(problem, make_generator, rng);
+  bool is_descending = true;
+  while (workers.best().cost() > lower_bound && !deadline.isOver()) {
+    const double cooling = deadline.remaining() / time_s;
+    const long cost_before = workers.best().cost();
+    workers.run(Deadline(std::min(turn_s, deadline.remaining())),
+                is_descending ? 0.0 : kFirstTemperature * cooling);
+    const LargeNeighborhoodSearch& best = workers.best();
+    is_descending = is_descending && static_cast<double>(best.cost()) <
+                                         static_cast<double>(cost_before) * (1.0 - kPlentifulGain);
+    const auto result = rewiring.run(best.plan(), best.cost(), turn_s);
+    if (result == Rewiring::Result::Optimal) {
+      break;
+    }
+    if (result == Rewiring::Result::Better) {
+      workers.offer(rewiring.lacam().plan());
+    }
+  }
+  improvement.plan = workers.best().plan();
+  improvement.improvements = workers.best().improvementCount();
+  improvement.nodes = rewiring.lacam().nodeCount();
+  return improvement;
+}
+
+}  // namespace sylph
