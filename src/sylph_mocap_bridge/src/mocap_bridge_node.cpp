@@ -14,8 +14,6 @@ namespace {
 using diagnostic_msgs::DiagnosticStatus;
 
 constexpr double kDiagnosticsPeriodS = 1.0;
-/// A body that is seen less than this share of the time is worth a warning.
-constexpr double kGoodRatio = 0.95;
 
 unsigned char levelOf(Severity severity) {
   switch (severity) {
@@ -35,10 +33,6 @@ std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
     names.push_back(robot.name);
   }
   return names;
-}
-
-std::uint64_t badOf(const TrackCounts& counts) {
-  return counts.untracked + counts.malformed + counts.stale + counts.unordered;
 }
 
 }  // namespace
@@ -113,15 +107,13 @@ void MocapBridgeNode::reportBodies(diagnostic_updater::DiagnosticStatusWrapper& 
   report.summary(DiagnosticStatus::OK, "all bodies are seen");
   for (std::size_t robot = 0; robot < counts.size(); ++robot) {
     const std::string& name = experiment_.robots[robot].name;
-    const auto good = static_cast<double>(counts[robot].good - seen_counts_[robot].good);
-    const auto bad = static_cast<double>(badOf(counts[robot]) - badOf(seen_counts_[robot]));
-    const double ratio = good > 0.0 ? good / (good + bad) : 0.0;
+    const double ratio = goodRatio(counts[robot], seen_counts_[robot]);
+    const std::string problem = bodyProblem(counts[robot], seen_counts_[robot]);
     report.add(name + " valid ratio", ratio);
     report.add(name + " pose age [s]", counts[robot].last_age_s);
-    if (good <= 0.0) {
-      report.mergeSummary(DiagnosticStatus::ERROR, name + " is not seen");
-    } else if (ratio < kGoodRatio) {
-      report.mergeSummary(DiagnosticStatus::WARN, name + " is lost at times");
+    if (!problem.empty()) {
+      report.mergeSummary(ratio > 0.0 ? DiagnosticStatus::WARN : DiagnosticStatus::ERROR,
+                          name + " " + problem);
     }
   }
   seen_counts_ = counts;

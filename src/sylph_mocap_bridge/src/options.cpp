@@ -14,6 +14,9 @@ namespace {
 
 using sylph_ros::read;
 
+/// Bound of what has none by nature [m, rad, s].
+constexpr double kFar = 1000.0;
+
 [[noreturn]] void refuse(const ros::NodeHandle& nh, const std::string& name,
                          const std::string& what) {
   throw std::runtime_error("parameter " + nh.resolveName(name) + ": " + what);
@@ -98,7 +101,6 @@ PlanarPose readPlanarPose(const ros::NodeHandle& nh) {
   requireGroup(nh);
   sylph_ros::requireKnown(nh, {"x_m", "y_m", "yaw_rad"});
   PlanarPose pose;
-  constexpr double kFar = 1000.0;
   for (const auto& [name, value] : {std::pair<const char*, double*>{"x_m", &pose.x_m},
                                     {"y_m", &pose.y_m},
                                     {"yaw_rad", &pose.yaw_rad}}) {
@@ -125,6 +127,8 @@ void readTracks(const ros::NodeHandle& nh, const sylph::Experiment& experiment,
     sylph_ros::requirePositive(nh, name, value);
   };
   readPositive("largest_age_s", tracks.largest_age_s);
+  read(nh, "frozen_limit_s", tracks.frozen_limit_s);
+  sylph_ros::requireInRange(nh, "frozen_limit_s", tracks.frozen_limit_s, 0.0, kFar);
   readPositive("position_sigma_m", tracks.tracker.position_sigma_m);
   readPositive("heading_sigma_rad", tracks.tracker.heading_sigma_rad);
   readPositive("acceleration_sigma_mps2", tracks.tracker.acceleration_sigma_mps2);
@@ -152,6 +156,7 @@ Options loadOptions(const ros::NodeHandle& private_nh, const sylph::Experiment& 
                                        "map_from_mocap",
                                        "body_from_robot",
                                        "largest_age_s",
+                                       "frozen_limit_s",
                                        "position_sigma_m",
                                        "heading_sigma_rad",
                                        "acceleration_sigma_mps2",

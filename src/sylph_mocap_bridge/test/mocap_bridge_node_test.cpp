@@ -50,6 +50,7 @@ class MocapBridgeNodeTest : public testing::Test {
  protected:
   MocapBridgeNodeTest()
       : parameters_(testing::UnitTest::GetInstance()->current_test_info()->name()) {
+    parameters_.set("frozen_limit_s", 0.0);  // these cameras have no noise
     spinner_.start();
   }
 
@@ -192,6 +193,14 @@ TEST_F(MocapBridgeNodeTest, ALostBodyHasNoPoseAndComesBack) {
   for (const PoseStamped& pose : second_.messages()) {
     expectSecondRobotStands(pose);
   }
+}
+
+TEST_F(MocapBridgeNodeTest, AFrozenBodyHasNoPose) {
+  parameters_.set("frozen_limit_s", 0.1);
+  startServer(zUpFrame);
+  startNode();
+  ASSERT_TRUE(first_.waitForMore(60));
+  EXPECT_LT(second_.count(), 30U);
 }
 
 TEST_F(MocapBridgeNodeTest, GoesOnAfterARestartOfTheServer) {
@@ -345,6 +354,7 @@ TEST_F(MocapBridgeNodeTest, EachBadParameterIsRefusedByName) {
   EXPECT_TRUE(refuses("body_from_robot/robot_9/x_m", 0.1, "body_from_robot/robot_9"));
   EXPECT_TRUE(refuses("body_from_robot/robot_1/yaw_deg", 90.0));
   EXPECT_TRUE(refuses("largest_age_s", 0.0));
+  EXPECT_TRUE(refuses("frozen_limit_s", -0.1));
   EXPECT_TRUE(refuses("position_sigma_m", -1.0));
   EXPECT_TRUE(refuses("tf_rate_hz", -1.0));
   EXPECT_TRUE(refuses("servre_address", "127.0.0.1"));

@@ -13,6 +13,7 @@ namespace {
 TracksOptions twoRobots() {
   TracksOptions options;
   options.body_from_robot.resize(2);
+  options.frozen_limit_s = 0.0;
   return options;
 }
 
@@ -74,6 +75,39 @@ TEST(RobotTracksTest, AnOldPoseIsNoPose) {
   EXPECT_FALSE(tracks.update(measuredAt(1.0), 1001.31));
   EXPECT_TRUE(tracks.update(measuredAt(1.0), 1001.29));
   EXPECT_EQ(1U, tracks.counts()[1].stale);
+}
+
+TEST(RobotTracksTest, APoseThatKeepsEachBitIsFrozen) {
+  TracksOptions options = twoRobots();
+  options.frozen_limit_s = 0.1;
+  RobotTracks tracks(options);
+  Measurement measurement = measuredAt(1.0);
+  const auto comesAt = [&](double time_s) {
+    measurement.time_s = time_s;
+    measurement.stamp_s = time_s + 1000.0;
+    return tracks.update(measurement, measurement.stamp_s).has_value();
+  };
+  EXPECT_TRUE(comesAt(1.0));
+  EXPECT_TRUE(comesAt(1.09));
+  EXPECT_FALSE(comesAt(1.11));
+  measurement.position_m.x() += 1e-7;
+  EXPECT_TRUE(comesAt(1.12));
+  EXPECT_EQ(1U, tracks.counts()[1].frozen);
+}
+
+TEST(RobotTracksTest, TheProblemOfABodyIsNamed) {
+  const TrackCounts before;
+  TrackCounts now = before;
+  EXPECT_EQ("is not seen: no data", bodyProblem(now, before));
+  now.good = 96;
+  now.untracked = 4;
+  EXPECT_EQ("", bodyProblem(now, before));
+  now.untracked = 20;
+  now.stale = 30;
+  EXPECT_EQ("is lost at times: its poses come too late", bodyProblem(now, before));
+  now.good = 0;
+  now.frozen = 31;
+  EXPECT_EQ("is not seen: its pose is frozen", bodyProblem(now, before));
 }
 
 TEST(RobotTracksTest, AfterARestartTimeMayBeginAnew) {

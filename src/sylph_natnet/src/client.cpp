@@ -13,6 +13,8 @@ using std::chrono::steady_clock;
 /// The first echoes follow each other fast, to know the clock soon.
 constexpr int kFastEchoes = 20;
 constexpr milliseconds kFastEchoPeriod{50};
+/// As many datagrams are taken at once: more may come faster than they can be read.
+constexpr int kLargestBatch = 1000;
 constexpr std::uint64_t kOldestEchoNs = 1'000'000'000;
 
 double seconds(steady_clock::time_point time) {
@@ -119,7 +121,11 @@ void Client::sendWhatIsDue(Time now) {
 }
 
 void Client::drain(UdpSocket& socket, std::optional<ReceivedFrame>& newest) {
-  while (const std::optional<Endpoint> sender = socket.receive(buffer_)) {
+  for (int i = 0; i < kLargestBatch; ++i) {
+    const std::optional<Endpoint> sender = socket.receive(buffer_);
+    if (!sender) {
+      return;
+    }
     const Time now = steady_clock::now();
     if (sender->address != options_.server) {
       ++statistics_.foreign;

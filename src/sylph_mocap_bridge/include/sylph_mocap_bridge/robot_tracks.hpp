@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "sylph_mocap_bridge/body_tracker.hpp"
@@ -15,6 +16,8 @@ struct TracksOptions {
   PlanarPose map_from_mocap;                ///< where the cameras' origin lies on the map
   std::vector<PlanarPose> body_from_robot;  ///< of each robot
   double largest_age_s = 0.5;               ///< an older pose is stale, > 0
+  /// A pose that keeps each of its bits for longer is frozen: cameras have noise, >= 0, 0: never.
+  double frozen_limit_s = 0.1;
   TrackerOptions tracker;
 };
 
@@ -42,10 +45,17 @@ struct TrackCounts {
   std::uint64_t untracked = 0;  ///< not seen by the cameras
   std::uint64_t malformed = 0;  ///< not finite, or no rotation
   std::uint64_t stale = 0;      ///< too old
+  std::uint64_t frozen = 0;     ///< the same for too long
   std::uint64_t unordered = 0;  ///< not newer than the one before
   double last_stamp_s = 0.0;    ///< of the last good one
   double last_age_s = 0.0;      ///< of the last good one when it came
 };
+
+/// What is wrong with a robot's body, from the counts of now and of a while ago.
+/// @return empty if nothing is
+std::string bodyProblem(const TrackCounts& now, const TrackCounts& before);
+/// Share of good measurements between the two, 0 ... 1; 0 if there were none.
+double goodRatio(const TrackCounts& now, const TrackCounts& before);
 
 /// Turns measurements into poses in the map and lets no bad one through.
 class RobotTracks {
@@ -62,9 +72,17 @@ class RobotTracks {
   const std::vector<TrackCounts>& counts() const { return counts_; }
 
  private:
+  struct Track {
+    BodyTracker tracker;
+    Measurement last;        ///< as the cameras told it
+    double changed_s = 0.0;  ///< when its pose was last another than before, by the cameras' clock
+  };
+
+  static bool isFrozen(Track& track, const Measurement& measurement, double limit_s);
+
   TracksOptions options_;
   FrameTransform transform_;
-  std::vector<BodyTracker> trackers_;
+  std::vector<Track> tracks_;
   std::vector<TrackCounts> counts_;
 };
 
