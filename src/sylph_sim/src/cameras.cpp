@@ -53,8 +53,8 @@ Cameras::Cameras(const CameraOptions& options, const std::vector<sylph::Pose2d>&
 
 void Cameras::capture(double time_s, const std::vector<sylph::Pose2d>& before,
                       const std::vector<sylph::Pose2d>& after, const FaultState& faults) {
-  for (double exposure_s = start_s_ + next_number_ / options_.rate_hz; exposure_s <= time_s;
-       exposure_s = start_s_ + next_number_ / options_.rate_hz) {
+  while (nextExposure() <= time_s) {
+    const double exposure_s = nextExposure();
     CapturedFrame frame{next_number_++, exposure_s, exposure_s, {}};
     const double share = (exposure_s - last_s_) / (time_s - last_s_);
     std::vector<sylph::Pose2d> poses;

@@ -119,7 +119,8 @@ std::vector<std::size_t> robotsOf(XmlRpcValue& value, const sylph::Experiment& e
     throw std::runtime_error("robots: must be a list of names");
   }
   std::vector<std::size_t> robots;
-  for (int i = 0; i < value.size(); ++i) {
+  robots.reserve(static_cast<std::size_t>(value.size()));
+  for (int i = 0; i < value.size(); ++i) {  // NOLINT(modernize-loop-convert): XmlRpc has no range
     robots.push_back(robotIndex(experiment, textOf(value[i], "robots")));
   }
   return robots;

@@ -57,6 +57,7 @@ class Cameras {
   std::vector<CapturedFrame> takeDue(double time_s);
 
  private:
+  double nextExposure() const { return start_s_ + next_number_ / options_.rate_hz; }
   CapturedBody see(std::size_t robot, const std::vector<sylph::Pose2d>& poses,
                    const CaptureFault& fault);
 
