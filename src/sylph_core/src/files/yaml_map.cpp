@@ -1,5 +1,7 @@
 #include "files/yaml_map.hpp"
 
+#include <yaml-cpp/eventhandler.h>
+
 #include <algorithm>
 #include <cmath>
 #include <set>
@@ -54,6 +56,33 @@ std::string shown(const YAML::Node& node) {
   }
 }
 
+/// Listens to a parser and keeps nothing.
+class IgnoreEvents : public YAML::EventHandler {
+ public:
+  void OnDocumentStart(const YAML::Mark& /*mark*/) override {}
+  void OnDocumentEnd() override {}
+  void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+  void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                const std::string& /*value*/) override {}
+  void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/,
+                       YAML::anchor_t /*anchor*/, YAML::EmitterStyle::value /*style*/) override {}
+  void OnSequenceEnd() override {}
+  void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  YAML::EmitterStyle::value /*style*/) override {}
+  void OnMapEnd() override {}
+};
+
+/// Whether something stands behind the first document that YAML::Load() would pass over in
+/// silence. (YAML::LoadAll() never comes back from a closing bracket there.)
+bool hasMoreThanOneDocument(const std::string& text) {
+  std::istringstream stream(text);
+  YAML::Parser parser(stream);
+  IgnoreEvents ignore;
+  parser.HandleNextDocument(ignore);
+  return parser.HandleNextDocument(ignore);
+}
+
 }  // namespace
 
 YamlMap::YamlMap(std::string path, std::string prefix, YAML::Node node)
@@ -62,14 +91,14 @@ YamlMap::YamlMap(std::string path, std::string prefix, YAML::Node node)
 YamlMap YamlMap::load(const std::string& path) {
   const std::string text = readTextFile(path, kMaxYamlBytes);
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() != 1 || !documents.front().IsMap()) {
-      throw fileError(path, 0,
-                      documents.empty() || documents.front().IsNull()
-                          ? "is empty, must be a YAML mapping"
-                          : "must be one YAML mapping of 'key: value' lines");
+    const YAML::Node document = YAML::Load(text);
+    if (document.IsNull()) {
+      throw fileError(path, 0, "is empty, must be a YAML mapping");
     }
-    return {path, "", documents.front()};
+    if (!document.IsMap() || hasMoreThanOneDocument(text)) {
+      throw fileError(path, 0, "must be one YAML mapping of 'key: value' lines");
+    }
+    return {path, "", document};
   } catch (const YAML::Exception& exception) {
     throw fileError(path, lineOf(exception.mark), "is not YAML: " + exception.msg);
   }

@@ -12,7 +12,7 @@
 
 namespace sylph {
 
-/// Numbers that a field accepts: above `above` (or equal, if `closed`) and up to `highest`.
+/// Numbers that a field accepts: from `lowest` up to and with `highest`.
 struct Range {
   double lowest = -std::numeric_limits<double>::max();
   double highest = std::numeric_limits<double>::max();

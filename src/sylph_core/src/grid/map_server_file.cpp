@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <cstring>
 #include <opencv2/imgcodecs.hpp>
 #include <vector>
 
@@ -21,18 +22,20 @@ struct ImageHeader {
   bool is_complete = false;  ///< whether the file is as long as its header says
 };
 
-/// The next number of a PGM header; comments run from '#' to the end of the line.
+/// The next number of a PGM header, behind white space and comments ('#' to the end of the line);
+/// -1 if something else stands there.
 long pgmNumber(const std::string& bytes, std::size_t& position) {
   constexpr long kTooLarge = 1'000'000;
-  const auto isDigit = [&] {
-    return position < bytes.size() && bytes[position] >= '0' && bytes[position] <= '9';
+  const auto isAt = [&](const char* characters) {
+    return position < bytes.size() && bytes[position] != '\0' &&
+           std::strchr(characters, bytes[position]) != nullptr;
   };
-  while (position < bytes.size() && !isDigit()) {
+  while (isAt(" \t\r\n#")) {
     position =
-        bytes[position] == '#' ? std::min(bytes.find('\n', position), bytes.size()) : position + 1;
+        isAt("#") ? std::min(bytes.find_first_of("\r\n", position), bytes.size()) : position + 1;
   }
-  long number = 0;
-  for (; isDigit(); ++position) {
+  long number = isAt("0123456789") ? 0 : -1;
+  for (; isAt("0123456789"); ++position) {
     number = std::min(kTooLarge, number * 10 + (bytes[position] - '0'));
   }
   return number;
@@ -44,15 +47,13 @@ ImageHeader readPgmHeader(const std::string& path, const std::string& bytes) {
   header.cols = pgmNumber(bytes, position);
   header.rows = pgmNumber(bytes, position);
   const long brightest = pgmNumber(bytes, position);
-  if (brightest != 255) {
-    throw fileError(
-        path, 0,
-        "brightest value of the PGM image is " + std::to_string(brightest) + ", must be 255");
+  if (header.cols < 0 || header.rows < 0 || brightest != 255) {
+    throw fileError(path, 0, "header of the PGM image must be 'P5 WIDTH HEIGHT 255'");
   }
   const std::size_t pixels = position + 1;  // one white space ends the header
-  header.is_complete =
-      bytes.size() >= pixels && bytes.size() - pixels >= static_cast<std::size_t>(header.cols) *
-                                                             static_cast<std::size_t>(header.rows);
+  const std::size_t size =
+      static_cast<std::size_t>(header.cols) * static_cast<std::size_t>(header.rows);
+  header.is_complete = bytes.size() >= pixels && bytes.size() - pixels >= size;
   return header;
 }
 

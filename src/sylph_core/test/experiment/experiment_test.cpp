@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "sylph_core/mapf/check_plan.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph {
@@ -207,6 +208,23 @@ TEST_P(ShippedExperimentTest, IsALabOfEightRobotsForEverySeed) {
     EXPECT_DOUBLE_EQ(0.3, experiment.cell_size_m);
     EXPECT_DOUBLE_EQ(0.23, experiment.robots[0].length_m);
     EXPECT_DOUBLE_EQ(0.20, experiment.robots[0].width_m);
+  }
+}
+
+TEST_P(ShippedExperimentTest, HasAPlanWithoutRotationsForEverySeed) {
+  const std::string path = std::string(MAPS_DIR) + "/" + GetParam();
+  PlanningLimits limits;
+  limits.time_limit_s = 20.0;  // a few milliseconds are enough
+  limits.first_solution_only = true;
+  const auto planner = makePlanner("lacam");
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    const Instance instance = toInstance(loadExperiment(path, {seed, std::nullopt}));
+    EXPECT_FALSE(instance.motion.rotations);
+    Rng rng(seed);
+    const PlanningResult result = planner->plan(instance, limits, rng);
+    EXPECT_EQ(Outcome::Solved, result.outcome);
+    EXPECT_FALSE(checkPlan(instance, result.plan).has_value());
   }
 }
 

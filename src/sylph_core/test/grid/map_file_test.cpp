@@ -161,7 +161,10 @@ TEST(MapServerFileTest, RefusesImagesThatAreTruncatedOversizedOrOfAnotherKind) {
   expect("is not an image of a known kind, must be PGM (binary, P5) or PNG", "");
   expect("is not an image of a known kind, must be PGM (binary, P5) or PNG", "GIF89a");
   expect("image is truncated", "P5 3 2 255\n12345");
-  expect("brightest value of the PGM image is 0, must be 255", "P5 3 2");
+  for (const std::string header :
+       {"P5", "P5 3 2", "P5 3 x 255\n", "P5 3 -2 255\n", "P5 3 2 65535\n"}) {
+    expect("header of the PGM image must be 'P5 WIDTH HEIGHT 255'", header + "123456");
+  }
   expect("image of 0 x 2 pixels: each side must be 1 ... 8192", "P5 2 0 255\n");
   expect("image of 100000 x 100000 pixels: each side must be 1 ... 8192", "P5 100000 100000 255\n");
   std::vector<unsigned char> png;
