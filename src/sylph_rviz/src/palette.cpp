@@ -74,7 +74,7 @@ std_msgs::ColorRGBA white() {
   return makeColor(255, 255, 255);
 }
 std_msgs::ColorRGBA grey() {
-  return makeColor(150, 150, 150);
+  return makeColor(180, 180, 180);
 }
 std_msgs::ColorRGBA black() {
   return makeColor(0, 0, 0);

@@ -23,6 +23,16 @@ double laneOf(std::size_t index) {
   return (static_cast<double>(index % kLanes) - 0.5 * static_cast<double>(kLanes - 1)) * kLaneM;
 }
 
+/// The pieces of a line one by one. RViz draws a spike where a strip turns back on itself.
+std::vector<sylph::Point> pairs(const std::vector<sylph::Point>& ends) {
+  std::vector<sylph::Point> points;
+  for (std::size_t k = 1; k < ends.size(); ++k) {
+    points.push_back(ends[k - 1]);
+    points.push_back(ends[k]);
+  }
+  return points;
+}
+
 }  // namespace
 
 Markers robotMarkers(const Scene& scene) {
@@ -75,20 +85,20 @@ Markers pathMarkers(const Scene& scene) {
       continue;
     }
     const double lane_m = laneOf(i);
-    std::vector<sylph::Point> points = {sylph::position(*robot.pose)};
+    std::vector<sylph::Point> ends = {sylph::position(*robot.pose)};
     // The first cell of the path lies behind the robot or under it.
     for (std::size_t k = 1; k < robot.execution->remaining_path.size(); ++k) {
       const sylph_msgs::Cell& cell = robot.execution->remaining_path[k];
       if (const auto center = centerOf(scene, {cell.row, cell.col})) {
-        points.push_back({center->x + lane_m, center->y + lane_m});
+        ends.push_back({center->x + lane_m, center->y + lane_m});
       }
     }
-    if (points.size() < 2) {
-      continue;
-    }
-    const int id = static_cast<int>(i);
     const auto color = withAlpha(robotColor(i), 0.85);
-    markers.push_back(lineStrip({"line", id}, points, height::kPath, 0.018, color));
+    const std::vector<sylph::Point> points = pairs(ends);
+    if (!points.empty()) {
+      markers.push_back(
+          lineList({"line", static_cast<int>(i)}, points, height::kPath, 0.018, color));
+    }
   }
   return markers;
 }

@@ -77,11 +77,12 @@ TEST(GoalMarkersTest, HaveAnotherFormThanRobots) {
 
 TEST(PathMarkersTest, LeadFromTheRobotThroughTheCellsToCome) {
   const Markers markers = pathMarkers(twoRobots());
-  ASSERT_EQ(1U, markers.size());  // robot_1 has arrived
-  ASSERT_EQ(4U, markers[0].points.size());
+  ASSERT_EQ(1U, markers.size());            // robot_1 has arrived
+  ASSERT_EQ(6U, markers[0].points.size());  // three pieces
   EXPECT_NEAR(0.15, markers[0].points[0].x, 1e-9);
   EXPECT_NEAR(0.15, markers[0].points[0].y, 1e-9);
-  EXPECT_NEAR(1.05, markers[0].points[3].y, 0.1);
+  EXPECT_EQ(markers[0].points[1], markers[0].points[2]);
+  EXPECT_NEAR(1.05, markers[0].points[5].y, 0.1);
 }
 
 TEST(PartnerMarkersTest, PointFromTheRobotToItsPartnerInTheColorOfTheSvo) {

@@ -36,7 +36,10 @@ PROGRESS_TEXT = (
     "Cells that each robot has reached (line) and those of the plan if no robot ever had to slow "
     "down (dashes). Shaded: its next task waits for another robot."
 )
-WAITING_TEXT = "How long each robot waited, by the robot at the root of the wait and the reason."
+WAITING_TEXT = (
+    "How long each robot waited, by the robot at the root of the wait, in its colour, and the reason; "
+    "hatched where it did not just drive."
+)
 SEPARATION_TEXT = "Smallest gap between any two footprints. Below the limit all robots stop."
 SOCIAL_TEXT = (
     "Above: SVO of the step that each robot carried out; grey where the planner gave none. "
@@ -52,6 +55,11 @@ def _robots_with(run, attribute):
 def _color(run, name):
     names = list(run.robots)
     return ROBOT_COLORS[names.index(name) % len(ROBOT_COLORS)] if name in names else "#999999"
+
+
+def _drives(reason):
+    """Whether the root cause is only that a robot is still on its way."""
+    return reason == "moves" or reason.startswith("is on its way")
 
 
 def progress(run):
@@ -97,7 +105,7 @@ def waiting(run):
     figure, axis = pyplot.subplots(figsize=(10, 0.35 * len(robots) + 1.6))
     names = [name for name, _ in robots]
     left = [0.0] * len(names)
-    for index, cause in enumerate(largest + [None]):
+    for cause in largest + [None]:
         widths = [
             sum(s for c, s in seconds[name].items() if (c == cause or (not cause and c not in largest)))
             for name in names
@@ -105,8 +113,9 @@ def waiting(run):
         if sum(widths) == 0.0:
             continue
         label = "other causes" if cause is None else " ".join(part for part in cause if part)
-        axis.barh(names, widths, left=left, label=label, height=0.7,
-                  color=ROBOT_COLORS[index % len(ROBOT_COLORS)], edgecolor="white")  # fmt: skip
+        axis.barh(names, widths, left=left, label=label, height=0.7, edgecolor="white",
+                  color=_color(run, cause[0]) if cause else "#999999",
+                  hatch="" if cause and _drives(cause[1]) else "///")  # fmt: skip
         left = [a + b for a, b in zip(left, widths)]
     axis.invert_yaxis()
     axis.set_xlabel("waited [s]")
@@ -160,6 +169,9 @@ def social(run):
                                 vmin=-0.5, vmax=len(all_names) - 0.5)  # fmt: skip
         partner_axis.text(-0.012, row, "\u25a0", color=_color(run, names[row]), ha="right",
                           va="center", transform=partner_axis.get_yaxis_transform())  # fmt: skip
+    if all(math.isnan(value) for _, robot in robots for value in robot.svo_deg):
+        svo_axis.text(0.5, 0.5, "this planner gives no SVO", transform=svo_axis.transAxes, ha="center",
+                      va="center")  # fmt: skip
     for axis in (svo_axis, partner_axis):
         axis.set_facecolor("#cccccc")
         axis.set_yticks(range(len(names)), names)

@@ -19,6 +19,7 @@ TRUTH = "/sylph/simulation_truth"
 TASK_REPORT_TYPE = "sylph_msgs/TaskReport"
 
 EXECUTING = 2
+FINISHED = 5
 CONDITIONS = {1: "silent", 2: "stuck", 3: "blind", 4: "lost"}
 MODES = {1: "paused", 2: "stopped"}
 
@@ -182,6 +183,7 @@ class _BagReader:
         self._joint_actions = {}  # plan_id -> {step: message}
         self._plan_start = {}  # plan_id -> (time_s, {robot: cells done before})
         self._plan_id = 0
+        self._is_over = False
 
     def take(self, topic, message, received_s):
         if topic == ADG_STATE:
@@ -195,7 +197,7 @@ class _BagReader:
                 "true smallest gap [m]": message.min_separation_m,
                 "true collisions": message.collisions,
             }
-        elif self._start_s is not None:
+        elif self._is_running():
             robot = self._run.robots.setdefault(message.robot_id, RobotRun())
             robot.error_time_s.append(received_s - self._start_s)
             robot.tracking_error_m.append(message.tracking_error_m)
@@ -218,9 +220,12 @@ class _BagReader:
                     self._run.robots[agent.robot].planned_time_s.append(end_s)
                     self._run.robots[agent.robot].planned_cells.append(cells[agent.robot])
 
+    def _is_running(self):
+        return self._start_s is not None and not self._is_over
+
     def _take_separation(self, message, received_s):
         self._run.separation_limit_m = message.limit_m
-        if self._start_s is not None and math.isfinite(message.separation_m):
+        if self._is_running() and math.isfinite(message.separation_m):
             self._run.separation.append((received_s - self._start_s, message.separation_m))
 
     def _take_state(self, message, received_s):
@@ -228,6 +233,9 @@ class _BagReader:
             if message.phase < EXECUTING or not message.plan_id:
                 return
             self._start_s = received_s
+        if self._is_over and message.phase == FINISHED:
+            return
+        self._is_over = message.phase == FINISHED
         time_s = received_s - self._start_s
         if message.plan_id != self._plan_id and message.phase == EXECUTING:
             done = {
