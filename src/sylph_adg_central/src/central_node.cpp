@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "sylph_adg_central/conversions.hpp"
+#include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -249,7 +250,7 @@ void CentralNode::onEvent(const sylph::ExecutionEvent& event) {
     case Kind::Started:
       last_steps_ = event.plan->steps();
       is_result_due_ = true;
-      writePlan(event.plan->plan, folder_.plan());
+      sylph::savePlan(event.plan->plan, folder_.plan());
       ROS_INFO("plan %u of %zu robots and %u steps is carried out", event.plan_id,
                event.plan->robots.size(), event.plan->steps());
       break;

@@ -3,7 +3,6 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 namespace sylph_adg_central {
@@ -35,20 +34,6 @@ std::string defaultRunFolder(const std::string& experiment, std::time_t now) {
   std::array<char, 32> stamp{};
   std::strftime(stamp.data(), stamp.size(), "%Y-%m-%d_%H-%M-%S", &local);
   return home + "/sylph/" + stamp.data() + "_" + experiment;
-}
-
-void writePlan(const sylph::Plan& plan, const std::string& path) {
-  std::ofstream file(path);
-  for (std::size_t step = 0; step < plan.size(); ++step) {
-    file << step << ":";
-    for (const sylph::Cell& cell : plan[step]) {
-      file << " " << cell;
-    }
-    file << "\n";
-  }
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
 }
 
 }  // namespace sylph_adg_central

@@ -223,6 +223,180 @@ TEST_F(CentralNodeTest, CarriesAPlanOutAndWritesTheResult) {
   EXPECT_EQ(folder_, nh_.param<std::string>("/sylph/run_folder", ""));
 }
 
+TEST_F(CentralNodeTest, ArrivesOverABadLine) {
+  robots_[0]->faults.drop_task_every = 2;
+  robots_[1]->faults.drop_report_every = 3;
+  robots_[1]->faults.doubles_reports = true;
+  robots_[2]->faults.repeats_old_reports = true;
+  std::vector<sylph_msgs::JointAction> messages = jointActions(mission(), names_, 1);
+  // The plan comes out of order, twice, and mixed with an old one.
+  std::vector<sylph_msgs::JointAction> shuffled(messages.rbegin(), messages.rend());
+  shuffled.insert(shuffled.begin() + 2, messages.begin(), messages.end());
+  sylph_msgs::JointAction old = messages.front();
+  old.plan_id = 0;
+  shuffled.insert(shuffled.begin() + 1, old);
+  send(shuffled);
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED, 20.0));
+  expectCarriedOutOnce();
+}
+
+TEST_F(CentralNodeTest, DropsReportsOfAnotherPlan) {
+  robots_[1]->is_silent = true;  // it leads; the test speaks for it
+  ros::Publisher impostor = nh_.advertise<sylph_msgs::TaskReport>(
+      "/robot_1/" + std::string(sylph_ros::kTaskReportTopic), 10);
+  ASSERT_TRUE(spinUntil([&] { return impostor.getNumSubscribers() > 0; }));
+  sylph_msgs::TaskReport report;
+  const auto tell = [&](std::uint32_t plan_id, std::uint32_t done) {
+    report.header.stamp = ros::Time::now();
+    report.report_id += 1000;
+    report.plan_id = plan_id;
+    report.accepted = done;
+    report.done = done;
+    const sylph::Point start = frame_.toPoint({0, 1});
+    report.x = start.x;
+    report.y = start.y;
+    impostor.publish(report);
+  };
+  send(jointActions(mission(), names_, 5));
+  ASSERT_TRUE(spinUntil([&] {
+    tell(0, 0);
+    return state_.phase == AdgState::EXECUTING;
+  }));
+  tell(4, 2);
+  tell(6, 2);
+  const std::uint32_t waits_at = robots_[0]->done();
+  ASSERT_TRUE(spinUntil([&] { return robot(0).waiting && robot(0).waiting_since_s > 0.3; }));
+  EXPECT_EQ("robot_1", robot(0).waits_for_robot);
+  EXPECT_EQ(waits_at, robots_[0]->done());
+  EXPECT_EQ(0u, robot(1).tasks_done);
+}
+
+TEST_F(CentralNodeTest, PausesStopsAndResumes) {
+  pace_s_ = 0.1;
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robots_[1]->done() >= 1; }));
+  ASSERT_TRUE(call(sylph_ros::kPauseService));
+  ASSERT_TRUE(spinUntil([&] {
+    return state_.mode == AdgState::PAUSE &&
+           std::none_of(robots_.begin(), robots_.end(),
+                        [](const auto& robot) { return robot->hasTask(); });
+  }));
+  EXPECT_EQ("by the operator", state_.message);
+  EXPECT_EQ(AdgState::EXECUTING, state_.phase);
+  ASSERT_TRUE(call(sylph_ros::kStopService));
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::STOP; }));
+  ASSERT_TRUE(call(sylph_ros::kResumeService));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  expectCarriedOutOnce();
+  EXPECT_EQ(1, result()["stops"].as<int>());
+}
+
+TEST_F(CentralNodeTest, AnEmergencyStopHoldsUntilItIsReset) {
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::EXECUTING));
+  std_msgs::Bool emergency;
+  emergency.data = 1;
+  emergency_publisher_.publish(emergency);
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::STOP; }));
+  EXPECT_FALSE(call(sylph_ros::kResumeService)) << "the separation monitor has to be reset first";
+  EXPECT_EQ(AdgState::STOP, state_.mode);
+  emergency.data = 0;
+  emergency_publisher_.publish(emergency);
+  ASSERT_TRUE(spinUntil([&] { return call(sylph_ros::kResumeService); }));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  EXPECT_EQ(1, result()["stops"].as<int>());
+}
+
+TEST_F(CentralNodeTest, PlansGoOnAroundALostRobot) {
+  robots_[1]->is_halted = true;
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robot(0).waiting; }));
+  EXPECT_EQ("robot_1", robot(0).root_cause_robot);
+  sylph_msgs::DeclareLost lost;
+  lost.request.robot_id = "robot_1";
+  std::atomic<bool> is_over{false};
+  std::thread caller([&] {
+    ros::service::call(nh_.resolveName(sylph_ros::kDeclareLostService), lost);
+    is_over = true;
+  });
+  spinUntil([&] { return is_over.load(); });
+  caller.join();
+  EXPECT_TRUE(lost.response.success) << lost.response.message;
+  ASSERT_TRUE(spinUntilPhase(AdgState::AT_CUT));
+  EXPECT_EQ(RobotExecution::LOST, robot(1).condition);
+  EXPECT_EQ(0, robot(0).cell.col);
+  EXPECT_EQ(5u, robot(1).held_cells.size()) << "its cell and those of four tasks ahead";
+
+  const Cell cut_2 = sylph_ros::fromMessage(robot(2).cell);
+  const Plan rest = {{{0, 0}, cut_2}, {{1, 0}, cut_2}, {{2, 0}, cut_2}};
+  send(jointActions(rest, {"robot_0", "robot_2"}, 2, 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  EXPECT_EQ(2u, state_.plan_id);
+  EXPECT_EQ(2, robot(0).cell.row);
+  EXPECT_EQ(5u, robot(1).held_cells.size());
+  EXPECT_FALSE(result()["success"].as<bool>());
+  EXPECT_EQ(1, result()["replans"].as<int>());
+}
+
+TEST_F(CentralNodeTest, ARestartDoesNoTaskTwice) {
+  pace_s_ = 0.1;
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robots_[1]->done() >= 2; }));
+  node_.reset();
+  // While nobody listens, robots go on with what they have, and one node starts again.
+  const ros::WallTime until = ros::WallTime::now() + ros::WallDuration(0.3);
+  spinUntil([&] { return ros::WallTime::now() > until; });
+  start();
+  EXPECT_EQ(1u, state_.plan_id);
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  expectCarriedOutOnce();
+  EXPECT_TRUE(result()["success"].as<bool>());
+  EXPECT_EQ(5u, state_.steps_received);
+}
+
+TEST_F(CentralNodeTest, ARobotNodeThatStartsAgainDoesNoTaskTwice) {
+  pace_s_ = 0.1;
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robot(1).tasks_done >= 2; }));
+  const std::uint32_t done = robots_[1]->done();
+  robots_[1]->restart();
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  EXPECT_GE(robot(1).tasks_done, done);
+  EXPECT_LE(robots_[1]->carried_out.size(), 4u + done - 2u) << "what it had told was not repeated";
+}
+
+TEST_F(CentralNodeTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
+  const auto moveTo = [&](const Cell& cell) {
+    robots_[2]->setPosition(frame_.toPoint(cell));
+    return spinUntil([&] { return sylph_ros::fromMessage(robot(2).cell) == cell; });
+  };
+  ASSERT_TRUE(moveTo({4, 4}));
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
+  EXPECT_EQ("plan 1: it starts robot_2 in (3,3), but the robot is in (4,4)", state_.message);
+  EXPECT_FALSE(result()["success"].as<bool>());
+  ASSERT_TRUE(moveTo({3, 3}));
+  send(jointActions(mission(), names_, state_.last_plan_id + 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+}
+
+TEST_F(CentralNodeTest, RefusesAMalformedPlan) {
+  std::vector<sylph_msgs::JointAction> messages = jointActions(mission(), names_, 1);
+  messages[2].agents[0].to.col += 1;
+  send(messages);
+  ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
+  EXPECT_EQ(0u, state_.message.find("plan 1: step 2: action 2 of robot_0 does not lead from"))
+      << state_.message;
+}
+
+TEST_F(CentralNodeTest, NoticesASilentRobot) {
+  robots_[1]->is_silent = true;
+  ASSERT_TRUE(spinUntil([&] { return robot(1).condition == RobotExecution::SILENT; }));
+  EXPECT_EQ(RobotExecution::OK, robot(0).condition);
+  robots_[1]->is_silent = false;
+  ASSERT_TRUE(spinUntil([&] { return robot(1).condition == RobotExecution::OK; }));
+}
+
 }  // namespace
 }  // namespace sylph_adg_central
 

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "sylph_core/experiment/experiment.hpp"
-#include "sylph_core/mapf/types.hpp"
 
 namespace sylph_adg_central {
 
@@ -27,9 +26,5 @@ class RunFolder {
 /// ROS_HOME or ~/.ros, then sylph/<stamp>_<experiment>, stamp in local time.
 /// @throws std::runtime_error if neither ROS_HOME nor HOME is set
 std::string defaultRunFolder(const std::string& experiment, std::time_t now);
-
-/// One configuration a line: "step: (row,col) (row,col) ...".
-/// @throws std::runtime_error if the file cannot be written
-void writePlan(const sylph::Plan& plan, const std::string& path);
 
 }  // namespace sylph_adg_central

@@ -85,7 +85,9 @@ void Execution::takeCounts(int robot, const RobotReport& report, double now_s) {
   }
   reporter.accepted = accepted;
   const int done = is_this_plan ? std::min(report.done, released) : 0;
-  for (int k = graph_->doneCount(robot) - reporter.first_sequence; k < done; ++k) {
+  // Below 0 are unfinished tasks of a lost robot, of the plan before: this plan's counts say
+  // nothing of them.
+  for (int k = std::max(0, graph_->doneCount(robot) - reporter.first_sequence); k < done; ++k) {
     graph_->complete(graph_->tasksOf(robot).at(index(reporter.first_sequence + k)));
     reporter.monitor.noteProgress(now_s);
     log({Kind::Done, plan_->plan_id, robot, k, {}});

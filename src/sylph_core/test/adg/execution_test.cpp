@@ -421,7 +421,10 @@ TEST_F(ExecutionTest, ALostRobotIsPlannedAround) {
   submit({{{0, 0}, {0, 1}}, {{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}}, 3, 1, {"robot_0", "robot_1"});
   EXPECT_EQ(ExecutionPhase::Executing, execution_->phase()) << execution_->message();
   EXPECT_EQ(held, execution_->view(2, now_s_).held_cells);
+  report(2);
+  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells) << "what it says of plan 1 is over";
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished, {2}));
+  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells);
   EXPECT_EQ((Cell{0, 1}), execution_->view(0, now_s_).cell);
   EXPECT_EQ((Cell{1, 2}), execution_->view(1, now_s_).cell);
   EXPECT_EQ(3, execution_->missionRobots());

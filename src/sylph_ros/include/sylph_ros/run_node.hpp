@@ -16,8 +16,10 @@ namespace sylph_ros {
 template <typename Node>
 int runNode(int argc, char** argv, const std::string& name) {
   ros::init(argc, argv, name);
+  // The last handle that goes shuts ROS down, and then nothing is printed any more.
+  const ros::NodeHandle nh;
   try {
-    Node node(ros::NodeHandle(), ros::NodeHandle("~"));
+    Node node(nh, ros::NodeHandle("~"));
     ros::spin();
   } catch (const std::exception& error) {
     ROS_FATAL("%s", error.what());
