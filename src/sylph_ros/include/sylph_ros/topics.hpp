@@ -10,8 +10,8 @@ constexpr char kExecuteMissionAction[] = "execute_mission";
 constexpr char kJointActionsTopic[] = "joint_actions";
 constexpr char kAdgStateTopic[] = "adg_state";
 constexpr char kSeparationTopic[] = "separation";
-/// std_msgs/Bool, latched: true from the separation monitor stops every robot, past the central node,
-/// until the monitor is reset.
+/// std_msgs/Bool, latched: true from the separation monitor stops every robot, past the central
+/// node, until the monitor is reset.
 constexpr char kEmergencyStopTopic[] = "emergency_stop";
 constexpr char kSimulationTruthTopic[] = "simulation_truth";
 constexpr char kPauseService[] = "pause";

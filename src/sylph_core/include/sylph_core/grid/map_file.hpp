@@ -20,7 +20,8 @@ struct MapFile {
 ///
 /// - `.map`: MovingAI benchmark map of type octile. '.', 'G' and 'S' are free; '@', 'O', 'T' and
 ///   'W' are obstacles. Format: Sturtevant 2012, movingai.com/benchmarks/formats.html
-/// - `.yaml`, `.yml`: ROS map_server map with a PGM (binary, 8 bit) or PNG image; each pixel is a cell, the first
+/// - `.yaml`, `.yml`: ROS map_server map with a PGM (binary, 8 bit) or PNG image; each pixel is a
+/// cell, the first
 ///   image row is row 0. Unknown pixels (neither occupied nor free by their thresholds) are
 ///   obstacles. Format: wiki.ros.org/map_server
 ///
