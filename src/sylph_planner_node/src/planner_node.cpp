@@ -265,8 +265,9 @@ void PlannerNode::send(const CheckedPlan& plan) {
   totals_.planning_s += plan.planning_s;
   totals_.plan_steps = static_cast<std::uint32_t>(plan.metrics.steps);
   totals_.sum_of_costs = static_cast<std::uint32_t>(plan.metrics.sum_of_costs);
-  // The central node remembers the last plan even when this node has been started again.
-  plan_id_ = std::max(plan_id_, state_ ? state_->plan_id : 0) + 1;
+  // The central node and the robots remember plans even when this node has been started again.
+  const std::uint32_t known = state_ ? std::max(state_->plan_id, state_->last_plan_id) : 0;
+  plan_id_ = std::max(plan_id_, known) + 1;
   ROS_INFO("plan %u by %s: %d steps, sum of costs %ld, %.2f s", plan_id_, mission_.planner.c_str(),
            plan.metrics.steps, plan.metrics.sum_of_costs, plan.planning_s);
   sender_.emplace(
