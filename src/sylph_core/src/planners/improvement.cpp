@@ -134,8 +134,12 @@ Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
   const double turn_s = std::min(time_s / kTurnsPerLimit, kLongestTurn_s);
   const long lower_bound = problem.distances.sum(problem.starts);
   Improvement improvement;
+  if (sumOfCosts(pathsOf(plan)) == lower_bound) {
+    improvement.plan = std::move(plan);
+    return improvement;
+  }
   plan = bestOfNewStarts(problem, std::move(plan), make_generator,
-                         Deadline(kShareOfNewStarts * time_s), rng);
+                         Deadline(std::min(kShareOfNewStarts * time_s, kLongestTurn_s)), rng);
   Workers workers(problem, plan, threads, rng);
   Rewiring rewiring(problem, make_generator, rng);
   bool is_descending = true;

@@ -122,7 +122,8 @@ void Neighborhoods::walk(AgentId agent, int size, Rng& rng) {
     const VertexId target = shorter[drawBelow(count, rng)];
     add(table_->occupant(target, timestep + 1));
     const AgentId opposite = table_->occupant(target, timestep);
-    if (opposite != kNoAgent && table_->position(opposite, timestep + 1) == vertex) {
+    if (opposite != kNoAgent && !isFull(size) &&
+        table_->position(opposite, timestep + 1) == vertex) {
       add(opposite);
     }
     vertex = target;

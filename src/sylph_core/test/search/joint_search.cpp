@@ -1,14 +1,22 @@
 #include "joint_search.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <map>
 #include <queue>
-#include <set>
+#include <utility>
+#include <vector>
 
 #include "sylph_core/grid/action.hpp"
+#include "sylph_core/grid/components.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 
 namespace sylph {
 namespace {
+
+int drawInt(Rng& rng, int low, int high) {
+  return low + static_cast<int>(rng() % static_cast<unsigned>(high - low + 1));
+}
 
 bool isLegalStep(const Configuration& from, const Configuration& to, bool rotations) {
   for (std::size_t a = 0; a < from.size(); ++a) {
@@ -37,25 +45,64 @@ void forEachStep(const Grid& grid, const Configuration& from, Configuration& to,
   }
 }
 
+long stepCost(const Instance& instance, const Configuration& from, const Configuration& to) {
+  long cost = 0;
+  for (std::size_t agent = 0; agent < from.size(); ++agent) {
+    const Cell& goal = instance.goals[agent];
+    cost += from[agent] == goal && to[agent] == goal ? 0 : 1;
+  }
+  return cost;
+}
+
 }  // namespace
 
-bool isSolvableByJointSearch(const Instance& instance) {
-  std::set<Configuration> seen = {instance.starts};
-  std::queue<Configuration> open({instance.starts});
+std::optional<long> leastCostByJointSearch(const Instance& instance) {
+  using Entry = std::pair<long, Configuration>;
+  std::map<Configuration, long> costs = {{instance.starts, 0}};
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  open.emplace(0, instance.starts);
   while (!open.empty()) {
-    const Configuration from = open.front();
+    const auto [cost, from] = open.top();
     open.pop();
     if (from == instance.goals) {
-      return true;
+      return cost;
+    }
+    if (cost > costs.at(from)) {
+      continue;
     }
     Configuration to;
-    forEachStep(instance.grid, from, to, [&] {
-      if (isLegalStep(from, to, instance.motion.rotations) && seen.insert(to).second) {
-        open.push(to);
+    const auto relax = [&, cost_so_far = cost, &origin = from] {
+      const long new_cost = cost_so_far + stepCost(instance, origin, to);
+      const auto known = costs.find(to);
+      if ((known == costs.end() || new_cost < known->second) &&
+          isLegalStep(origin, to, instance.motion.rotations)) {
+        costs[to] = new_cost;
+        open.emplace(new_cost, to);
       }
-    });
+    };
+    forEachStep(instance.grid, from, to, relax);
   }
-  return false;
+  return std::nullopt;
+}
+
+Instance crowdedInstance(int max_agents, bool rotations, Rng& rng) {
+  while (true) {
+    Instance instance{Grid(drawInt(rng, 1, 3), drawInt(rng, 2, 4)), {}, {}, {rotations}};
+    for (int index = 0; index < instance.grid.size(); ++index) {
+      instance.grid.setObstacle(instance.grid.cellAt(index), drawInt(rng, 0, 3) == 0);
+    }
+    const Components components = connectedComponents(instance.grid);
+    if (components.cells.empty() || components.cells.front().size() < 2) {
+      continue;
+    }
+    Configuration cells = components.cells.front();
+    const int agents = drawInt(rng, 1, std::min(max_agents, static_cast<int>(cells.size())));
+    std::shuffle(cells.begin(), cells.end(), rng);
+    instance.starts.assign(cells.begin(), cells.begin() + agents);
+    std::shuffle(cells.begin(), cells.end(), rng);
+    instance.goals.assign(cells.begin(), cells.begin() + agents);
+    return instance;
+  }
 }
 
 }  // namespace sylph

@@ -1,11 +1,21 @@
 #pragma once
 
+#include <optional>
+
+#include "sylph_core/grid/rng.hpp"
 #include "sylph_core/mapf/instance.hpp"
 
 namespace sylph {
 
-/// Whether an instance has a solution, by breadth-first search over all joint configurations.
-/// For a handful of agents on a handful of cells; shares no code with the planners.
-bool isSolvableByJointSearch(const Instance& instance);
+// Dijkstra's algorithm over all joint configurations: for a handful of agents on a handful of
+// cells. Shares no code with the planners.
+
+/// The least number of agents and timesteps at which an agent does not rest on its goal, summed
+/// over a plan; none if the instance has no solution.
+std::optional<long> leastCostByJointSearch(const Instance& instance);
+
+/// A map of up to 3 x 4 cells with up to `max_agents` agents, often so crowded that there is no
+/// solution.
+Instance crowdedInstance(int max_agents, bool rotations, Rng& rng);
 
 }  // namespace sylph
