@@ -85,8 +85,8 @@ bool hasMoreThanOneDocument(const std::string& text) {
 
 }  // namespace
 
-YamlMap::YamlMap(std::string path, std::string prefix, YAML::Node node)
-    : path_(std::move(path)), prefix_(std::move(prefix)), node_(std::move(node)) {}
+YamlMap::YamlMap(std::string path, std::string prefix, const YAML::Node& node)
+    : path_(std::move(path)), prefix_(std::move(prefix)), node_(node) {}
 
 YamlMap YamlMap::load(const std::string& path) {
   const std::string text = readTextFile(path, kMaxYamlBytes);
@@ -181,6 +181,7 @@ std::vector<double> YamlMap::numbers(const std::string& key, std::size_t count,
                       std::to_string(count) + " numbers");
   }
   std::vector<double> values;
+  values.reserve(nodes.size());
   for (const YAML::Node& node : nodes) {
     values.push_back(toNumber(key, node, range));
   }

@@ -70,7 +70,7 @@ class YamlMap {
   const std::string& path() const { return path_; }
 
  private:
-  YamlMap(std::string path, std::string prefix, YAML::Node node);
+  YamlMap(std::string path, std::string prefix, const YAML::Node& node);
 
   YAML::Node find(const std::string& key) const;
   YAML::Node require(const std::string& key) const;

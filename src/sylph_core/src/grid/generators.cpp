@@ -128,7 +128,7 @@ class RoomLattice {
     const int length = std::min(room_size_, side - first);
     const int opened = std::min(width, length);
     const int door =
-        first + static_cast<int>(drawIndex(rng, static_cast<std::size_t>(length - opened + 1)));
+        first + static_cast<int>(drawIndex(rng, static_cast<std::size_t>(length - opened) + 1));
     const int across = (is_east ? wall.next.second : wall.next.first) * period() - 1;
     for (int along = door; along < door + opened; ++along) {
       grid_.setObstacle(is_east ? Cell{along, across} : Cell{across, along}, false);
@@ -140,7 +140,7 @@ class RoomLattice {
   std::pair<std::vector<Wall>, std::vector<Wall>> splitWalls(Rng& rng) const {
     std::vector<Wall> tree;
     std::vector<Wall> others;
-    std::vector<bool> visited(static_cast<std::size_t>(roomRows() * roomCols()), false);
+    std::vector<bool> visited(indexOf(Room{roomRows(), 0}), false);
     std::vector<bool> is_tree(2 * visited.size(), false);
     std::vector<Room> trail = {{0, 0}};
     visited[0] = true;
@@ -180,7 +180,8 @@ class RoomLattice {
   int roomRows() const { return (grid_.rows() + period() - 1) / period(); }
   int roomCols() const { return (grid_.cols() + period() - 1) / period(); }
   std::size_t indexOf(const Room& room) const {
-    return static_cast<std::size_t>(room.first * roomCols() + room.second);
+    return static_cast<std::size_t>(room.first) * static_cast<std::size_t>(roomCols()) +
+           static_cast<std::size_t>(room.second);
   }
   std::size_t indexOf(const Wall& wall) const {
     return 2 * indexOf(wall.room) + (wall.next.first > wall.room.first ? 1 : 0);

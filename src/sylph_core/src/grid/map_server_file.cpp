@@ -26,16 +26,16 @@ struct ImageHeader {
 /// -1 if something else stands there.
 long pgmNumber(const std::string& bytes, std::size_t& position) {
   constexpr long kTooLarge = 1'000'000;
-  const auto isAt = [&](const char* characters) {
+  const auto is_at = [&](const char* characters) {
     return position < bytes.size() && bytes[position] != '\0' &&
            std::strchr(characters, bytes[position]) != nullptr;
   };
-  while (isAt(" \t\r\n#")) {
+  while (is_at(" \t\r\n#")) {
     position =
-        isAt("#") ? std::min(bytes.find_first_of("\r\n", position), bytes.size()) : position + 1;
+        is_at("#") ? std::min(bytes.find_first_of("\r\n", position), bytes.size()) : position + 1;
   }
-  long number = isAt("0123456789") ? 0 : -1;
-  for (; isAt("0123456789"); ++position) {
+  long number = is_at("0123456789") ? 0 : -1;
+  for (; is_at("0123456789"); ++position) {
     number = std::min(kTooLarge, number * 10 + (bytes[position] - '0'));
   }
   return number;
@@ -59,7 +59,7 @@ ImageHeader readPgmHeader(const std::string& path, const std::string& bytes) {
 
 /// Chunks of a PNG: length, name, content, checksum. The last one is named IEND.
 ImageHeader readPngHeader(const std::string& bytes) {
-  const auto bigEndian = [&](std::size_t position) {
+  const auto big_endian = [&](std::size_t position) {
     std::size_t number = 0;
     for (std::size_t index = position; index < position + 4; ++index) {
       number = number * 256 + static_cast<unsigned char>(bytes[index]);
@@ -70,11 +70,11 @@ ImageHeader readPngHeader(const std::string& bytes) {
   constexpr std::size_t kChunkFrameBytes = 12;
   ImageHeader header;
   if (bytes.size() >= kSignatureBytes + 16) {
-    header.cols = static_cast<long>(bigEndian(kSignatureBytes + 8));
-    header.rows = static_cast<long>(bigEndian(kSignatureBytes + 12));
+    header.cols = static_cast<long>(big_endian(kSignatureBytes + 8));
+    header.rows = static_cast<long>(big_endian(kSignatureBytes + 12));
   }
   for (std::size_t chunk = kSignatureBytes; chunk + kChunkFrameBytes <= bytes.size();
-       chunk += kChunkFrameBytes + bigEndian(chunk)) {
+       chunk += kChunkFrameBytes + big_endian(chunk)) {
     header.is_complete = bytes.compare(chunk + 4, 4, "IEND") == 0;
   }
   return header;
