@@ -19,6 +19,7 @@ SIMULATION = {"sylph_sim"}
 ALWAYS = {
     "mocap_bridge",
     "sylph_adg_central",
+    "sylph_separation_monitor",
     "sylph_planner",
     "sylph_markers",
     "sylph_mission",

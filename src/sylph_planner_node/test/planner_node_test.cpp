@@ -1,4 +1,3 @@
-#include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
@@ -7,13 +6,11 @@
 #include <algorithm>
 #include <atomic>
 
-#include "mock_central.hpp"
-#include "small_lab.hpp"
+#include "planner_fixture.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 #include "sylph_planner_node/mission_text.hpp"
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/topics.hpp"
-#include "wait_until.hpp"
 
 namespace sylph_planner_node {
 namespace {
@@ -21,33 +18,8 @@ namespace {
 using sylph_msgs::AdgState;
 using sylph_msgs::ExecuteMissionGoal;
 using sylph_msgs::ExecuteMissionResult;
-using Client = actionlib::SimpleActionClient<sylph_msgs::ExecuteMissionAction>;
 
-/// The node under test runs beside this program; central node, robots and motion capture are mocks.
-class PlannerNodeTest : public testing::Test {
- protected:
-  void SetUp() override {
-    ASSERT_TRUE(waitUntil([this] { return client_.isServerConnected(); }));
-  }
-
-  ExecuteMissionResult run(const ExecuteMissionGoal& goal) {
-    client_.sendGoal(goal);
-    return waitForResult();
-  }
-
-  ExecuteMissionResult waitForResult() {
-    EXPECT_TRUE(waitUntil([this] { return client_.getState().isDone(); }));
-    const auto result = client_.getResult();
-    return result ? *result : ExecuteMissionResult();
-  }
-
-  bool waitForPhase(std::uint8_t phase) {
-    return waitUntil([&] { return central_.state().phase == phase; });
-  }
-
-  MockCentral central_{smallMission(), smallStarts()};
-  Client client_{"/sylph/execute_mission", true};
-};
+class PlannerNodeTest : public PlannerFixture {};
 
 TEST_F(PlannerNodeTest, PublishesTheMapForThoseWhoComeLate) {
   const auto map = ros::topic::waitForMessage<nav_msgs::OccupancyGrid>(sylph_ros::kMapTopic,
@@ -197,9 +169,12 @@ TEST_F(PlannerNodeTest, PlansTheRestAroundALostRobot) {
 TEST_F(PlannerNodeTest, GoesOnWithItsMissionAfterARestart) {
   central_.pretendToExecute(9000, smallMission().goals);
   ASSERT_TRUE(central_.waitForStatesOnTheirWay());
-  client_.sendGoal(toGoal(smallLab()));
-  ASSERT_TRUE(
-      waitUntil([this] { return client_.getState() == actionlib::SimpleClientGoalState::ACTIVE; }));
+  std::atomic<bool> follows{false};
+  client_.sendGoal(toGoal(smallLab()), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+                   [&follows](const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) {
+                     follows = feedback->phase == "executing";
+                   });
+  ASSERT_TRUE(waitUntil([&follows] { return follows.load(); }));
   central_.finish();
   const ExecuteMissionResult result = waitForResult();
   EXPECT_EQ(ExecuteMissionResult::SUCCESS, result.outcome) << result.message;

@@ -1,0 +1,101 @@
+#include "sylph_planner_node/mission_client.hpp"
+
+#include <gtest/gtest.h>
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
+
+#include <atomic>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <future>
+#include <string>
+
+#include "planner_fixture.hpp"
+#include "sylph_ros/topics.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph_msgs::AdgState;
+
+/// Asks a node to shut down, as `rosnode kill` does.
+bool shutDown(const std::string& node) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue payload;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::master::execute("lookupNode", request, response, payload, false) ||
+      !ros::network::splitURI(payload, host, port)) {
+    return false;
+  }
+  request[1] = "asked for by a test";
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  return client.execute("shutdown", request, response);
+}
+
+class MissionClientTest : public PlannerFixture {
+ protected:
+  void SetUp() override {
+    PlannerFixture::SetUp();
+    std::string folder = (std::filesystem::temp_directory_path() / "sylph_mission_XXXXXX").string();
+    ASSERT_NE(nullptr, mkdtemp(folder.data()));
+    folder_ = folder;
+    std::ofstream(folder_ / "result.yaml") << "arrived: 3\n";
+    ros::param::set(sylph_ros::kRunFolderParameter, folder_.string());
+  }
+
+  void TearDown() override { std::filesystem::remove_all(folder_); }
+
+  std::filesystem::path folder_;
+  MissionClient mission_{ros::NodeHandle("/sylph"), ros::NodeHandle("~client")};
+};
+
+TEST_F(MissionClientTest, RunsTheExperimentAndSaysHowItEnded) {
+  testing::internal::CaptureStdout();
+  const bool has_succeeded = mission_.run();
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_TRUE(has_succeeded);
+  EXPECT_EQ(0U, said.find("experiment small_lab: 3 robots, seed 0, planner lacam\n")) << said;
+  EXPECT_NE(std::string::npos, said.find("SUCCESS: all 3 robots have arrived\n")) << said;
+  EXPECT_NE(std::string::npos, said.find("/result.yaml:\n  arrived: 3\n")) << said;
+}
+
+TEST_F(MissionClientTest, FailsWhenTheMissionDoes) {
+  central_.refusePlans("no safety margin");
+  testing::internal::CaptureStdout();
+  const bool has_succeeded = mission_.run();
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_FALSE(has_succeeded);
+  EXPECT_NE(std::string::npos, said.find("PLAN_REFUSED")) << said;
+}
+
+TEST_F(MissionClientTest, GivesAPlannerThatWasStartedAgainTheMissionAnew) {
+  std::atomic<bool> follows{false};
+  const boost::function<void(const sylph_msgs::ExecuteMissionActionFeedback&)> note =
+      [&follows](const sylph_msgs::ExecuteMissionActionFeedback& message) {
+        follows = message.feedback.phase == "executing";
+      };
+  ros::Subscriber feedback = ros::NodeHandle().subscribe<sylph_msgs::ExecuteMissionActionFeedback>(
+      "/sylph/execute_mission/feedback", 1, note);
+  central_.haltAfter(1);
+  auto has_succeeded = std::async(std::launch::async, [this] { return mission_.run(); });
+  ASSERT_TRUE(waitForPhase(AdgState::EXECUTING));
+  const std::uint32_t plan_id = central_.state().plan_id;
+  ASSERT_TRUE(shutDown("/sylph/sylph_planner"));
+  ASSERT_TRUE(waitUntil([&feedback] { return feedback.getNumPublishers() == 0; }));
+  follows = false;
+  ASSERT_TRUE(waitUntil([&follows] { return follows.load(); }));
+  central_.haltAfter(1000);
+  EXPECT_TRUE(has_succeeded.get());
+  EXPECT_EQ(plan_id, central_.state().plan_id) << "the plan under way was not followed";
+  feedback.shutdown();
+}
+
+}  // namespace
+}  // namespace sylph_planner_node
