@@ -1,7 +1,6 @@
 #include "sylph_core/planners/improvement.hpp"
 
 #include <algorithm>
-#include <functional>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -18,9 +17,8 @@ constexpr double kLongestTurn_s = 0.5;
 // As in simulated annealing the large-neighbourhood search lets some losses pass, fewer and fewer
 // towards the end; but not while there is enough to be had without, more than this share a turn.
 constexpr double kFirstTemperature = 1.0;
-constexpr long kStepsPerStepOfPlan = 10;
 constexpr double kPlentifulGain = 0.001;
-constexpr double kShareOfNewStarts = 0.05;  // of the time, for finding a better plan to begin with
+constexpr double kShareOfNewStarts = 0.15;  // of the time, at most
 
 /// One large-neighbourhood search per thread.
 class Workers {
@@ -104,25 +102,53 @@ class Rewiring {
   bool is_exhausted_ = false;
 };
 
-// The best of a plan and of what searches that start anew find in the time given. How long the
-// first plan is varies a lot where agents are in each other's way.
-std::vector<Vertices> bestOfNewStarts(const SearchProblem& problem, std::vector<Vertices> plan,
-                                      const GeneratorFactory& make_generator,
-                                      const Deadline& deadline, Rng& rng) {
-  const auto steps = static_cast<long>(plan.size());
-  long best_cost = sumOfCosts(pathsOf(plan));
-  for (int attempt = 1; !deadline.isOver(); ++attempt) {
-    const auto generator = make_generator(problem, attempt, rng);
-    Lacam lacam(problem, *generator, rng);
-    lacam.search(deadline, kStepsPerStepOfPlan * steps);
-    const long cost = sumOfCosts(pathsOf(lacam.plan()));
-    if (lacam.isSolved() && cost < best_cost) {
-      best_cost = cost;
-      plan = lacam.plan();
+/// Searches anew from configurations of a plan, its start and others, as long as that now and then
+/// finds a better way to the goals. Where agents are much in each other's way, depth-first search
+/// may go round in circles for long, and no small neighbourhood mends that.
+class NewStarts {
+ public:
+  NewStarts(const SearchProblem& problem, const GeneratorFactory& make_generator, Rng& rng)
+      : problem_(&problem), make_generator_(&make_generator), rng_(&rng) {}
+
+  /// @return the plan, or a better one
+  std::vector<Vertices> run(std::vector<Vertices> plan, const Deadline& deadline) {
+    long best_cost = sumOfCosts(pathsOf(plan));
+    while (failures_ < kMostFailures && !deadline.isOver()) {
+      std::vector<Vertices> candidate = searchFrom(plan, (*rng_)() % plan.size(), deadline);
+      const long cost = sumOfCosts(pathsOf(candidate));
+      if (candidate.back() == problem_->goals && cost < best_cost) {
+        best_cost = cost;
+        plan = std::move(candidate);
+        failures_ = 0;
+      } else {
+        ++failures_;
+      }
     }
+    return plan;
   }
-  return plan;
-}
+
+ private:
+  static constexpr int kMostFailures = 30;
+  static constexpr long kStepsPerStepOfPlan = 2;
+
+  std::vector<Vertices> searchFrom(const std::vector<Vertices>& plan, std::size_t timestep,
+                                   const Deadline& deadline) {
+    const std::size_t begin = ++attempts_ % 3 == 0 ? 0 : timestep;
+    const auto generator = (*make_generator_)(*problem_, attempts_, *rng_);
+    Lacam lacam(*problem_, plan[begin], *generator, *rng_);
+    lacam.search(deadline, kStepsPerStepOfPlan * static_cast<long>(plan.size() - begin));
+    std::vector<Vertices> candidate(plan.begin(), plan.begin() + static_cast<long>(begin));
+    const std::vector<Vertices> rest = lacam.plan();
+    candidate.insert(candidate.end(), rest.begin(), rest.end());
+    return candidate;
+  }
+
+  const SearchProblem* problem_;
+  const GeneratorFactory* make_generator_;
+  Rng* rng_;
+  int attempts_ = 0;
+  int failures_ = 0;
+};
 
 }  // namespace
 
@@ -138,8 +164,8 @@ Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
     improvement.plan = std::move(plan);
     return improvement;
   }
-  plan = bestOfNewStarts(problem, std::move(plan), make_generator,
-                         Deadline(std::min(kShareOfNewStarts * time_s, kLongestTurn_s)), rng);
+  plan = NewStarts(problem, make_generator, rng)
+             .run(std::move(plan), Deadline(kShareOfNewStarts * time_s));
   Workers workers(problem, plan, threads, rng);
   Rewiring rewiring(problem, make_generator, rng);
   bool is_descending = true;
@@ -151,7 +177,8 @@ Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
     const LargeNeighborhoodSearch& best = workers.best();
     is_descending = is_descending && static_cast<double>(best.cost()) <
                                          static_cast<double>(cost_before) * (1.0 - kPlentifulGain);
-    const auto result = rewiring.run(best.plan(), best.cost(), turn_s);
+    const auto result =
+        rewiring.run(best.plan(), best.cost(), std::min(turn_s, deadline.remaining()));
     if (result == Rewiring::Result::Optimal) {
       break;
     }

@@ -23,9 +23,10 @@ std::uint64_t hashOf(const Vertices& configuration) {
 
 }  // namespace
 
-Lacam::Lacam(const SearchProblem& problem, ConfigurationGenerator& generator, Rng& rng)
+Lacam::Lacam(const SearchProblem& problem, const Vertices& from, ConfigurationGenerator& generator,
+             Rng& rng)
     : problem_(&problem), generator_(&generator), rng_(&rng) {
-  start_ = addNode(problem.starts, hashOf(problem.starts), nullptr);
+  start_ = addNode(from, hashOf(from), nullptr);
   open_.push_back(start_);
 }
 

@@ -35,7 +35,11 @@ class Lacam {
   enum class Status { Solved, Exhausted, Unfinished };
 
   /// All arguments by reference must outlive this object.
-  Lacam(const SearchProblem& problem, ConfigurationGenerator& generator, Rng& rng);
+  Lacam(const SearchProblem& problem, ConfigurationGenerator& generator, Rng& rng)
+      : Lacam(problem, problem.starts, generator, rng) {}
+  /// From another configuration than the problem's starts.
+  Lacam(const SearchProblem& problem, const Vertices& from, ConfigurationGenerator& generator,
+        Rng& rng);
 
   /// Searches until a solution is found that is better than the one known before.
   /// @param max_steps  most calls of the generator
