@@ -41,17 +41,22 @@ PoseVerdict PoseWatch::offer(const TimedPose& pose) {
     ++rejected_;
     return PoseVerdict::NotFinite;
   }
-  if (last_) {
-    const double step_s = pose.stamp_s - last_->stamp_s;
-    if (step_s <= 0.0 && step_s > -kClockRestart_s) {
-      return PoseVerdict::Repeated;
-    }
-    if (step_s <= 0.0 || !agrees(*last_, pose)) {
-      return reject(pose);
-    }
+  if (!last_) {
+    take(pose);
+    return PoseVerdict::Good;
   }
-  take(pose);
-  return PoseVerdict::Good;
+  const double step_s = pose.stamp_s - last_->stamp_s;
+  const bool is_clock_new = step_s < -kClockRestart_s;
+  if (step_s <= 0.0 && !is_clock_new) {
+    return PoseVerdict::Repeated;
+  }
+  const bool is_same_place = other_place_ && agrees(*other_place_, pose);
+  if (!is_same_place && agrees(*last_, pose)) {
+    take(pose);
+    return PoseVerdict::Good;
+  }
+  const bool was_unseen = pose.received_s - last_seen_s_ > options_.timeout_s;
+  return reject(pose, is_same_place, was_unseen || is_clock_new);
 }
 
 bool PoseWatch::agrees(const TimedPose& from, const TimedPose& to) const {
@@ -62,15 +67,22 @@ bool PoseWatch::agrees(const TimedPose& from, const TimedPose& to) const {
          turned_rad <= kExcess * options_.turn_rate_limit_radps * step_s + options_.jump_rad;
 }
 
-PoseVerdict PoseWatch::reject(const TimedPose& pose) {
+PoseVerdict PoseWatch::reject(const TimedPose& pose, bool is_same_place, bool may_be_true) {
   ++rejected_;
   rejection_ = text("pose jumped by %.2f m", distance(position(last_->pose), position(pose.pose))) +
                text(" and %.0f deg",
                     std::abs(shortestAngle(last_->pose.yaw_rad, pose.pose.yaw_rad)) * 180.0 / M_PI);
-  const bool goes_on = other_place_ && agrees(*other_place_, pose);
-  consistent_ = goes_on ? consistent_ + 1 : 1;
+  consistent_ = is_same_place ? consistent_ + 1 : 1;
+  // Of a place seen before, the first sight counts.
+  may_be_true_ = is_same_place ? may_be_true_ : may_be_true;
+  is_confirmed_ = is_same_place && is_confirmed_;
   other_place_ = pose;
+  last_seen_s_ = pose.received_s;
   if (consistent_ < options_.consistent_poses) {
+    return PoseVerdict::Jumped;
+  }
+  if (!may_be_true_ && !is_confirmed_) {
+    rejection_ += ": put the cameras right, or stop and resume to believe it";
     return PoseVerdict::Jumped;
   }
   take(pose);
@@ -78,18 +90,22 @@ PoseVerdict PoseWatch::reject(const TimedPose& pose) {
   return PoseVerdict::Recovered;
 }
 
+bool PoseWatch::looksFrozen(const TimedPose& pose) const {
+  return last_ && last_->pose.x_m == pose.pose.x_m && last_->pose.y_m == pose.pose.y_m &&
+         last_->pose.yaw_rad == pose.pose.yaw_rad;
+}
+
 void PoseWatch::take(const TimedPose& pose) {
-  const bool is_frozen = last_ && last_->pose.x_m == pose.pose.x_m &&
-                         last_->pose.y_m == pose.pose.y_m &&
-                         last_->pose.yaw_rad == pose.pose.yaw_rad;
-  if (!is_frozen) {
+  if (!looksFrozen(pose)) {
     unseen_travel_m_ = 0.0;
+    last_seen_s_ = pose.received_s;
   }
   const bool was_blind = rejected_ >= options_.rejected_poses ||
                          (last_ && pose.received_s - last_->received_s > options_.timeout_s);
   last_ = pose;
   other_place_.reset();
   consistent_ = 0;
+  is_confirmed_ = false;
   rejected_ = 0;
   good_ = was_blind ? 1 : std::min(good_ + 1, options_.good_poses);
 }

@@ -7,6 +7,9 @@
 namespace sylph {
 namespace {
 
+// Between two poses the velocity counts as constant.
+constexpr double kLongestStretch_s = 0.03;
+
 /// How far a point lies outside a cell; 0 inside [m].
 double distanceOutside(const CellFrame& frame, const Cell& cell, const Point& point) {
   const Point center = frame.toPoint(cell);
@@ -24,6 +27,7 @@ RobotController::RobotController(const RobotControllerOptions& options, const Gr
       tasks_(grid),
       watch_(options.watch),
       predictor_(options.base),
+      slip_(options.slip),
       follower_(options.follower),
       limiter_(options.limits) {
   if (!(options.period_s > 0.0 && options.stop_deceleration_mps2 > 0.0 &&
@@ -58,28 +62,52 @@ void RobotController::followTasks() {
 }
 
 PoseVerdict RobotController::onPose(const TimedPose& pose) {
+  const std::optional<TimedPose> before = watch_.last();
   const PoseVerdict verdict = watch_.offer(pose);
-  if (verdict != PoseVerdict::Good && verdict != PoseVerdict::Recovered) {
+  if (verdict != PoseVerdict::Good || watch_.problem(pose.received_s)) {
     arrival_poses_ = 0;
     return verdict;
   }
-  if (tasks_.isIdle() || watch_.problem(pose.received_s)) {
-    arrival_poses_ = 0;
-    return verdict;
+  const Twist2d twist_map =
+      predictor_.predict(pose.pose, pose.captured_s, pose.captured_s).twist_map;
+  if (before) {
+    learnSlip(*before, pose, twist_map);
   }
-  const MotionState state = predictor_.predict(pose.pose, pose.captured_s, pose.captured_s);
-  const bool has_arrived = hasArrived(follower_.path(), reachedWaypoint(), pose.pose,
-                                      {state.twist_map.x_mps, state.twist_map.y_mps},
-                                      options_.follower.heading_rad, options_.arrival);
+  detectArrival(pose.pose, twist_map);
+  return verdict;
+}
+
+void RobotController::learnSlip(const TimedPose& before, const TimedPose& now,
+                                const Twist2d& model_map) {
+  const double duration_s = now.stamp_s - before.stamp_s;
+  if (duration_s <= 0.0 || duration_s > kLongestStretch_s) {
+    return;
+  }
+  const Twist2d measured_map{(now.pose.x_m - before.pose.x_m) / duration_s,
+                             (now.pose.y_m - before.pose.y_m) / duration_s, 0.0};
+  const Twist2d measured = robotFromMap(measured_map, now.pose.yaw_rad);
+  // The model is told what was wanted; the base was told that, compensated.
+  const Twist2d sent = slip_.compensate(robotFromMap(model_map, now.pose.yaw_rad));
+  slip_.learn({sent.x_mps * duration_s, sent.y_mps * duration_s},
+              {measured.x_mps * duration_s, measured.y_mps * duration_s}, duration_s);
+}
+
+void RobotController::detectArrival(const Pose2d& pose, const Twist2d& twist_map) {
+  const bool has_arrived =
+      !tasks_.isIdle() &&
+      hasArrived(follower_.path(), reachedWaypoint(), pose, {twist_map.x_mps, twist_map.y_mps},
+                 options_.follower.heading_rad, options_.arrival);
   arrival_poses_ = has_arrived ? arrival_poses_ + 1 : 0;
   if (arrival_poses_ >= options_.arrival_poses) {
     arrival_poses_ = 0;
     tasks_.completeCurrent();
   }
-  return verdict;
 }
 
 void RobotController::onCentralState(CentralMode mode, double now_s) {
+  if (mode_ == CentralMode::Stop && mode == CentralMode::Run) {
+    watch_.confirm();  // people have resumed
+  }
   mode_ = mode;
   central_heard_s_ = now_s;
   emergency_.onCentralMode(mode);
@@ -163,7 +191,7 @@ Twist2d RobotController::rampDown(double now_s) {
 Twist2d RobotController::send(const Twist2d& command_map, double now_s) {
   predictor_.command(now_s, command_map);
   const double yaw_rad = watch_.last() ? watch_.last()->pose.yaw_rad : 0.0;
-  return robotFromMap(command_map, yaw_rad);
+  return slip_.compensate(robotFromMap(command_map, yaw_rad));
 }
 
 RobotProgress RobotController::progress() const {
@@ -178,7 +206,7 @@ RobotStatus RobotController::status(double now_s) const {
   if (watch_.last()) {
     status.pose = watch_.last()->pose;
     status.heading_error_rad = shortestAngle(options_.follower.heading_rad, status.pose.yaw_rad);
-    if (followed_plan_ != 0) {
+    if (follower_.path().legCount() > 0) {
       // The leg before counts too: an arrival is reported a little before its end.
       status.tracking_error_m = distanceToRest(follower_.path(), std::max(0, reachedWaypoint() - 1),
                                                position(status.pose));

@@ -100,14 +100,48 @@ TEST(PoseWatchTest, AYawFlipIsAJump) {
   EXPECT_EQ("pose jumped by 0.00 m and 180 deg", feed.problem());
 }
 
-TEST(PoseWatchTest, ANewPlaceIsBelievedWhenPosesAgree) {
+TEST(PoseWatchTest, ANewPlaceAfterAGapIsBelievedWhenPosesAgree) {
   Feed feed;
   feed.frames(5, {1.0, 1.0, 0.0});
+  feed.now_s += 0.5;
   EXPECT_EQ(PoseVerdict::Jumped, feed.frames(11, {1.3, 1.0, 0.0}));
   EXPECT_NE("", feed.problem());
   EXPECT_EQ(PoseVerdict::Recovered, feed.frame({1.3, 1.0, 0.0}));
   EXPECT_EQ("", feed.problem());
   EXPECT_DOUBLE_EQ(1.3, feed.watch.last()->pose.x_m);
+}
+
+TEST(PoseWatchTest, AJumpFromOneFrameToTheNextIsNotBelievedHoweverLongItLasts) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  EXPECT_EQ(PoseVerdict::Jumped, feed.frames(2000, {1.1, 1.0, 0.0}));
+  EXPECT_NE(std::string::npos, feed.problem().find("put the cameras right"));
+  // It goes on by itself when the poses return.
+  EXPECT_EQ(PoseVerdict::Good, feed.frames(3, {1.0, 1.0, 0.0}));
+  EXPECT_EQ("", feed.problem());
+}
+
+TEST(PoseWatchTest, AJumpIsBelievedWhenPeopleConfirmIt) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  feed.frames(20, {1.1, 1.0, 0.0});
+  feed.watch.confirm();
+  EXPECT_EQ(PoseVerdict::Recovered, feed.frame({1.1, 1.0, 0.0}));
+  EXPECT_EQ("", feed.problem());
+  // The next one is not confirmed by that.
+  EXPECT_EQ(PoseVerdict::Jumped, feed.frames(20, {1.2, 1.0, 0.0}));
+}
+
+TEST(PoseWatchTest, ARobotThatRolledOnWhileItsPoseWasFrozenIsFoundAgain) {
+  Feed feed;
+  feed.frames(5, {1.0, 1.0, 0.0});
+  for (int i = 0; i < 60; ++i) {
+    feed.frame({1.0, 1.0, 0.0});
+    feed.watch.commanded(i < 30 ? 0.25 * kFrame_s : 0.0);
+  }
+  EXPECT_EQ("pose is frozen", feed.problem());
+  EXPECT_EQ(PoseVerdict::Recovered, feed.frames(12, {1.08, 1.0, 0.0}));
+  EXPECT_EQ("", feed.problem());
 }
 
 TEST(PoseWatchTest, PosesThatJumpToAndFroAreNeverBelieved) {

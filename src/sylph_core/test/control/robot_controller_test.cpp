@@ -38,6 +38,12 @@ class World {
     }
   }
 
+  void loseSightFor(double duration_s) {
+    cameras_send = false;
+    run(duration_s);
+    cameras_send = true;
+  }
+
   RobotStatus status() const { return controller.status(now_s); }
   double speedNow() const { return speed(command_robot); }
   double x() const { return pose.x_m; }
@@ -48,6 +54,7 @@ class World {
   Pose2d pose;           // true
   Pose2d camera_offset;  // added to what the cameras tell
   Twist2d command_robot;
+  double grip = 1.0;  // share of the wheels' motion that reaches the floor
   CentralMode mode = CentralMode::Run;
   bool central_sends = true;
   bool cameras_send = true;
@@ -73,8 +80,8 @@ class World {
     const double share = 1.0 - std::exp(-0.01 / 0.1);
     wheel_map_.x_mps += share * (target_map.x_mps - wheel_map_.x_mps);
     wheel_map_.y_mps += share * (target_map.y_mps - wheel_map_.y_mps);
-    pose.x_m += 0.01 * wheel_map_.x_mps;
-    pose.y_m += 0.01 * wheel_map_.y_mps;
+    pose.x_m += 0.01 * grip * wheel_map_.x_mps;
+    pose.y_m += 0.01 * grip * wheel_map_.y_mps;
     pose.yaw_rad += 0.01 * target_map.turn_radps;
     ++step_;
     now_s += 0.01;
@@ -99,6 +106,17 @@ TEST(RobotControllerTest, CarriesOutItsTasks) {
   EXPECT_EQ(3, world.status().done);
   EXPECT_NEAR(1.05, world.x(), 0.005);
   EXPECT_LT(world.speedNow(), 0.005);
+}
+
+TEST(RobotControllerTest, MakesUpForSlip) {
+  World world({2, 0});
+  world.grip = 0.93;
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(2.5);
+  const double x_m = world.x();
+  world.run(1.0);
+  EXPECT_NEAR(0.25, world.x() - x_m, 0.003);
 }
 
 TEST(RobotControllerTest, DoesNotMoveBeforeTheCentralNodeIsHeard) {
@@ -199,13 +217,32 @@ TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
   world.run(0.2);
   world.sendEastward(2);
   world.run(1.0);
+  world.loseSightFor(0.3);
   world.camera_offset.y_m = 0.5;
   world.run(0.5);
   EXPECT_EQ(RobotState::Holding, world.status().state);
   EXPECT_NE(std::string::npos, world.status().detail.find("put it back"));
+  world.loseSightFor(0.3);
   world.camera_offset.y_m = 0.0;
   world.run(4.0);
   EXPECT_EQ(2, world.status().done);
+}
+
+TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(2);
+  world.run(1.0);
+  world.camera_offset.x_m = 0.1;
+  world.run(2.0);
+  EXPECT_EQ(RobotState::Blind, world.status().state);
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  world.mode = CentralMode::Stop;
+  world.run(0.5);
+  EXPECT_EQ(RobotState::Blind, world.status().state);
+  world.mode = CentralMode::Run;
+  world.run(0.5);
+  EXPECT_EQ(RobotState::Moving, world.status().state);
 }
 
 TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
@@ -213,7 +250,10 @@ TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
   world.run(0.2);
   world.sendEastward(1);
   world.run(0.5);
+  world.cameras_send = false;
+  world.run(0.2);
   world.pose.y_m += 0.08;
+  world.cameras_send = true;
   world.run(4.0);
   EXPECT_EQ(1, world.status().done);
   EXPECT_LT(world.status().tracking_error_m, 0.01);
@@ -226,9 +266,25 @@ TEST(RobotControllerTest, AYawFlipNeverTurnsTheRobot) {
   world.run(0.5);
   world.camera_offset.yaw_rad = M_PI;
   world.run(2.0);
+  EXPECT_EQ(RobotState::Blind, world.status().state);
+  EXPECT_DOUBLE_EQ(0.0, world.command_robot.turn_radps);
+  world.camera_offset.yaw_rad = 0.0;
+  world.run(4.0);
+  EXPECT_EQ(2, world.status().done);
+}
+
+TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(2);
+  world.run(0.5);
+  world.loseSightFor(0.3);
+  world.camera_offset.yaw_rad = 1.5;
+  world.run(1.0);
   EXPECT_EQ(RobotState::Holding, world.status().state);
   EXPECT_NE(std::string::npos, world.status().detail.find("heading"));
   EXPECT_DOUBLE_EQ(0.0, world.command_robot.turn_radps);
+  world.loseSightFor(0.3);
   world.camera_offset.yaw_rad = 0.0;
   world.run(4.0);
   EXPECT_EQ(2, world.status().done);

@@ -2,6 +2,7 @@
 
 #include "sylph_core/control/drive_path.hpp"
 #include "sylph_core/control/motion.hpp"
+#include "sylph_core/control/vector2.hpp"
 
 namespace sylph {
 

@@ -2,31 +2,10 @@
 
 #include <vector>
 
+#include "sylph_core/control/vector2.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph {
-
-/// A direction or a displacement in the `map` frame.
-struct Vector2 {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-inline Vector2 operator+(const Vector2& a, const Vector2& b) {
-  return {a.x + b.x, a.y + b.y};
-}
-inline Vector2 operator-(const Vector2& a, const Vector2& b) {
-  return {a.x - b.x, a.y - b.y};
-}
-inline Vector2 operator*(double factor, const Vector2& v) {
-  return {factor * v.x, factor * v.y};
-}
-inline double dot(const Vector2& a, const Vector2& b) {
-  return a.x * b.x + a.y * b.y;
-}
-inline Vector2 displacement(const Point& from, const Point& to) {
-  return {to.x - from.x, to.y - from.y};
-}
 
 /// One straight leg of a path.
 struct Leg {

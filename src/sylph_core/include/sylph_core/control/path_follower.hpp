@@ -4,14 +4,15 @@
 #include "sylph_core/control/motion.hpp"
 #include "sylph_core/control/pid.hpp"
 #include "sylph_core/control/pose_predictor.hpp"
+#include "sylph_core/control/vector2.hpp"
 
 namespace sylph {
 
 struct FollowerOptions {
   double speed_limit_mps = 0.25;          ///< > 0
   double acceleration_limit_mps2 = 0.6;   ///< along the path and in blends, > 0
-  double braking_share = 0.9;             ///< of the acceleration that braking plans with, 0 ... 1
-  double blend_m = 0.024;                 ///< largest blend distance at corners, >= 0
+  double braking_share = 0.95;            ///< of the acceleration that braking plans with, 0 ... 1
+  double blend_m = 0.030;                 ///< largest blend distance at corners, >= 0
   double approach_gain = 8.0;             ///< of the distance close to a stop [1/s], > 0
   double lag_s = 0.1;                     ///< time constant of the base, undone by feed-forward
   double heading_rad = 0.0;               ///< held all the time

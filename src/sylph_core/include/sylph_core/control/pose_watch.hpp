@@ -33,7 +33,7 @@ enum class PoseVerdict {
   Repeated,  ///< stamp not newer than the last one's
   NotFinite,
   Jumped,     ///< farther from the last good one than the robot can be
-  Recovered,  ///< the robot is at another place indeed: good from now on
+  Recovered,  ///< at another place, but believed: good from now on
 };
 
 /// Whether a robot may believe its pose.
@@ -49,6 +49,9 @@ class PoseWatch {
 
   PoseVerdict offer(const TimedPose& pose);
 
+  /// People have looked: where the robot is seen now, it is.
+  void confirm() { is_confirmed_ = other_place_.has_value(); }
+
   /// Tells that the robot was told to move `distance_m` since the last call.
   void commanded(double distance_m);
 
@@ -62,13 +65,17 @@ class PoseWatch {
 
  private:
   bool agrees(const TimedPose& from, const TimedPose& to) const;
-  PoseVerdict reject(const TimedPose& pose);
+  PoseVerdict reject(const TimedPose& pose, bool is_same_place, bool may_be_true);
   void take(const TimedPose& pose);
+  bool looksFrozen(const TimedPose& pose) const;
 
   PoseWatchOptions options_;
   std::optional<TimedPose> last_;
   std::optional<TimedPose> other_place_;
-  int consistent_ = 0;
+  int consistent_ = 0;        // poses in a row at the other place
+  bool may_be_true_ = false;  // the robot was unseen before it showed up there
+  bool is_confirmed_ = false;
+  double last_seen_s_ = 0.0;  // receipt of the last pose that was finite and not frozen
   int good_ = 0;
   int rejected_ = 0;
   std::string rejection_;

@@ -8,6 +8,7 @@
 #include "sylph_core/control/pose_predictor.hpp"
 #include "sylph_core/control/pose_watch.hpp"
 #include "sylph_core/control/robot_supervisor.hpp"
+#include "sylph_core/control/slip_estimator.hpp"
 #include "sylph_core/control/task_queue.hpp"
 #include "sylph_core/control/twist_limiter.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
@@ -21,6 +22,7 @@ struct RobotControllerOptions {
   int arrival_poses = 2;                ///< in a row that show an arrival, > 0
   BaseModel base;
   TwistLimits limits;
+  SlipOptions slip;
   FollowerOptions follower;
   ArrivalOptions arrival;
   PoseWatchOptions watch;
@@ -71,6 +73,8 @@ class RobotController {
   bool isDisplaced() const;
   Whereabouts whereabouts(double now_s) const;
   void followTasks();
+  void learnSlip(const TimedPose& before, const TimedPose& now, const Twist2d& model_map);
+  void detectArrival(const Pose2d& pose, const Twist2d& twist_map);
   int lastWaypoint(Permission permission);
   int reachedWaypoint() const { return tasks_.done() - first_task_; }
   Twist2d send(const Twist2d& command_map, double now_s);
@@ -81,6 +85,7 @@ class RobotController {
   TaskQueue tasks_;
   PoseWatch watch_;
   PosePredictor predictor_;
+  SlipEstimator slip_;
   PathFollower follower_;
   TwistLimiter limiter_;
   EmergencyLatch emergency_;
