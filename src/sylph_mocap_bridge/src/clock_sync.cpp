@@ -49,7 +49,7 @@ sylph_natnet::ClockEstimate ClockSync::offsetOfFrames() {
   sorted_s_ = offsets_s_;
   std::sort(sorted_s_.begin(), sorted_s_.end());
   const auto at = [this](double quantile) {
-    const double last = static_cast<double>(sorted_s_.size() - 1);
+    const auto last = static_cast<double>(sorted_s_.size() - 1);
     return sorted_s_[static_cast<std::size_t>(std::clamp(quantile, 0.0, 1.0) * last)];
   };
   // Half of the offsets lie within this of the one that counts.

@@ -40,8 +40,8 @@ Endpoint fromSystem(const sockaddr_in& system) {
   return endpoint;
 }
 
-std::runtime_error failure(const std::string& what) {
-  return std::runtime_error(what + ": " + std::generic_category().message(errno));
+std::runtime_error failure(const std::string& what, int error_number = errno) {
+  return std::runtime_error(what + ": " + std::generic_category().message(error_number));
 }
 
 }  // namespace
@@ -89,9 +89,9 @@ UdpSocket::UdpSocket(const Endpoint& local, bool shared)
   const sockaddr_in address = toSystem(local);
   if ((shared && setsockopt(descriptor_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on)) != 0) ||
       bind(descriptor_, reinterpret_cast<const sockaddr*>(&address), sizeof(address)) != 0) {
-    const std::runtime_error error = failure("UDP socket on " + toString(local));
+    const int error_number = errno;
     close(descriptor_);
-    throw error;
+    throw failure("UDP socket on " + toString(local), error_number);
   }
 }
 
@@ -103,6 +103,9 @@ UdpSocket::~UdpSocket() {
 
 UdpSocket::UdpSocket(UdpSocket&& other) noexcept
     : descriptor_(std::exchange(other.descriptor_, -1)) {}
+
+// These change the socket, though not the number that stands for it.
+// NOLINTBEGIN(readability-make-member-function-const)
 
 void UdpSocket::joinGroup(const Ipv4Address& group, const Ipv4Address& interface) {
   ip_mreq request{};
@@ -141,6 +144,8 @@ std::optional<Endpoint> UdpSocket::receive(Datagram& datagram) {
   return fromSystem(sender);
 }
 
+// NOLINTEND(readability-make-member-function-const)
+
 Endpoint UdpSocket::localEndpoint() const {
   sockaddr_in local{};
   socklen_t size = sizeof(local);
@@ -152,6 +157,7 @@ Endpoint UdpSocket::localEndpoint() const {
 
 bool waitForInput(const std::vector<const UdpSocket*>& sockets, std::chrono::milliseconds timeout) {
   std::vector<pollfd> requests;
+  requests.reserve(sockets.size());
   for (const UdpSocket* socket : sockets) {
     requests.push_back({socket->descriptor(), POLLIN, 0});
   }
