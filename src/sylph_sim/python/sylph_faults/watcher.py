@@ -103,7 +103,7 @@ class Watcher:
 
     def _report(self, outcome):
         if self._began_s is None:
-            return {"outcome": "no robot moved"}
+            return {"outcome": "no truth came" if self._truth is None else "no robot moved"}
         return {
             "outcome": outcome,
             "collisions": self._truth.collisions,
