@@ -36,6 +36,7 @@ MarkersNode::MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
 }
 
 void MarkersNode::onAdgState(const sylph_msgs::AdgState& message) {
+  last_input_s_ = clock_.now();
   for (const sylph_msgs::RobotExecution& robot : message.robots) {
     if (findRobot(scene_, robot.robot_id) == nullptr && !robot.robot_id.empty()) {
       addRobot(robot.robot_id);
@@ -63,7 +64,8 @@ void MarkersNode::onMap(const nav_msgs::OccupancyGrid& message) {
 void MarkersNode::onPose(std::size_t robot, const geometry_msgs::PoseStamped& message) {
   if (const auto pose = fromMessage(message)) {
     scene_.robots[robot].pose = pose;
-    inputs_[robot].pose_received_s = clock_.now();
+    last_input_s_ = clock_.now();
+    inputs_[robot].pose_received_s = last_input_s_;
   } else {
     ROS_WARN_THROTTLE(1.0, "dropped a pose of %s that is not finite or not in frame %s: %s",
                       scene_.robots[robot].name.c_str(), sylph_ros::kMapFrame,
@@ -103,7 +105,8 @@ void MarkersNode::listenTo(std::size_t robot) {
 
 void MarkersNode::publishLayers() {
   for (std::size_t robot = 0; robot < scene_.robots.size(); ++robot) {
-    const double age_s = clock_.now() - inputs_[robot].pose_received_s;
+    // Not the time since: when nothing at all comes any more, a replay is paused or at its end.
+    const double age_s = last_input_s_ - inputs_[robot].pose_received_s;
     scene_.robots[robot].pose_is_stale = age_s > options_.pose_timeout_s;
   }
   for (std::size_t i = 0; i < kLayers.size(); ++i) {

@@ -44,7 +44,7 @@ Markers robotMarkers(const Scene& scene) {
     }
     const int id = static_cast<int>(i);
     const auto color = withAlpha(robotColor(i), robot.pose_is_stale ? kStaleAlpha : 1.0);
-    const auto ink = textColorOn(robotColor(i));
+    const auto ink = robot.pose_is_stale ? white() : textColorOn(robotColor(i));
     markers.push_back(
         attach(box({"body", id}, {0.0, 0.0}, robot.length_m, robot.width_m, height::kBody, color),
                robot, true));

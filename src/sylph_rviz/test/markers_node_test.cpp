@@ -132,8 +132,24 @@ TEST_F(MarkersNodeTest, DropsAPoseThatIsNotFinite) {
   bad.header.frame_id = "map";
   bad.pose.position.x = std::numeric_limits<double>::quiet_NaN();
   pose_.publish(bad);
-  // Its last good pose grows old: the robot is drawn faint.
-  EXPECT_TRUE(waitUntil([&] { return shown_["body0"].color.a < 0.9F; }));
+  // While the central node goes on, its last good pose grows old: the robot is drawn faint.
+  EXPECT_TRUE(waitUntil([&] {
+    state_.publish(*twoRobots().state);
+    return shown_["body0"].color.a < 0.9F;
+  }));
+}
+
+TEST_F(MarkersNodeTest, DrawsNobodyFaintWhenAReplayIsPaused) {
+  const MarkersNode node(suite_, ros::NodeHandle("shipped"));
+  look("markers/robots");
+  ASSERT_TRUE(waitUntil([&] { return shown_.count("body0") == 1; }));
+  const ros::SteadyTime longer_than_the_limit = ros::SteadyTime::now() + ros::WallDuration(1.0);
+  bool was_faint = false;
+  ASSERT_TRUE(waitUntil([&] {
+    was_faint = was_faint || shown_["body0"].color.a < 0.9F;
+    return ros::SteadyTime::now() > longer_than_the_limit;
+  }));
+  EXPECT_FALSE(was_faint);
 }
 
 TEST(MarkersNodeStartTest, RefusesEachBadParameter) {

@@ -52,6 +52,7 @@ class MarkersNode {
   bool has_experiment_ = false;
   Scene scene_;
   std::vector<RobotInput> inputs_;  // as scene_.robots
+  double last_input_s_ = 0.0;       // when a pose or AdgState came last
   std::vector<LayerOutput> outputs_;
   ros::Subscriber state_subscriber_;
   ros::Subscriber separation_subscriber_;
