@@ -14,8 +14,9 @@
 namespace sylph_sim {
 namespace {
 
-/// Steps of this much wall time are caught up on after a hitch.
-constexpr double kMaxBacklogWall = 0.1;
+/// After a hitch the robots move on at most this far before anybody can answer: one period of their
+/// controllers. What is more makes simulated time run slower.
+constexpr double kMaxBacklog_s = 0.02;
 /// The timer ticks once a step, but not more often than this.
 constexpr double kMinTimerPeriodWall = 0.001;
 /// Below this share of the speed asked for the node says so.
@@ -53,7 +54,7 @@ SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       start_s_(ros::WallTime::now().toSec()),
       simulation_(options_.simulation, experiment_, start_s_),
-      pacer_(simulation_.stepDuration(), clock_.speed(), kMaxBacklogWall),
+      pacer_(simulation_.stepDuration(), clock_.speed(), kMaxBacklog_s),
       server_(serverOptions(options_)),
       clock_period_s_(
           std::max(options_.clock_period_s, clock_.speed() / options_.clock_wall_rate_limit_hz)),

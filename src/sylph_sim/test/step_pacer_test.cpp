@@ -37,6 +37,14 @@ TEST(StepPacerTest, ALongHitchSlowsTheClockInsteadOfSkippingSteps) {
   EXPECT_LT(pacer.speed(), 0.05);
 }
 
+TEST(StepPacerTest, TheBacklogIsSimulatedTimeAtAnySpeed) {
+  for (const double speed : {0.5, 1.0, 4.0, 8.0}) {
+    StepPacer pacer(kStep, speed, 0.02);
+    EXPECT_EQ(0, pacer.stepsDue(0.0));
+    EXPECT_EQ(4, pacer.stepsDue(10.0)) << speed;
+  }
+}
+
 TEST(StepPacerTest, RefusesWhatIsNotPositive) {
   EXPECT_THROW(StepPacer(0.0, 1.0, 0.1), std::invalid_argument);
   EXPECT_THROW(StepPacer(kStep, -1.0, 0.1), std::invalid_argument);

@@ -27,7 +27,8 @@ SafetyMargin gapsOf(const SafetyFactors& f) {
   margin.reach_m = std::max(reachAlong(f.length_m, f.width_m, f.heading_tolerance_rad),
                             reachAlong(f.width_m, f.length_m, f.heading_tolerance_rad));
   margin.error_m = std::max(f.tracking_error_m, f.position_tolerance_m);
-  margin.overrun_m = f.speed_limit_mps * (f.pose_timeout_s + f.command_latency_s);
+  margin.overrun_m =
+      f.speed_limit_mps * (std::max(f.pose_timeout_s, f.base_timeout_s) + f.command_latency_s);
   margin.blind_travel_m =
       margin.overrun_m + f.speed_limit_mps * f.speed_limit_mps / (2.0 * f.acceleration_limit_mps2);
   const double clearance_m = f.cell_size_m - 2.0 * margin.reach_m;
@@ -52,6 +53,7 @@ constexpr Factor kFactors[] = {
     {"position_tolerance_m", &SafetyFactors::position_tolerance_m, 0.0},
     {"speed_limit_mps", &SafetyFactors::speed_limit_mps, 0.01},
     {"pose_timeout_s", &SafetyFactors::pose_timeout_s, 0.0},
+    {"base_timeout_s", &SafetyFactors::base_timeout_s, 0.0},
     {"command_latency_s", &SafetyFactors::command_latency_s, 0.0},
 };
 
@@ -133,6 +135,7 @@ SafetyFactors safetyFactors(const Experiment& experiment) {
   factors.speed_limit_mps = execution.speed_limit_mps;
   factors.acceleration_limit_mps2 = execution.acceleration_limit_mps2;
   factors.pose_timeout_s = execution.pose_timeout_s;
+  factors.base_timeout_s = execution.base_timeout_s;
   factors.command_latency_s = execution.command_latency_s;
   return factors;
 }

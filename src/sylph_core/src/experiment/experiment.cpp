@@ -93,6 +93,7 @@ ExecutionSpec readExecution(const YamlMap& yaml) {
       {"heading_tolerance_rad", &spec.heading_tolerance_rad},
       {"tracking_error_m", &spec.tracking_error_m},
       {"pose_timeout_s", &spec.pose_timeout_s},
+      {"base_timeout_s", &spec.base_timeout_s},
   };
   std::vector<std::string> allowed = {"command_latency_s"};
   for (const auto& [key, member] : positive_members) {

@@ -6,7 +6,10 @@
 #include <limits>
 #include <random>
 #include <string>
+#include <vector>
 
+#include "sylph_core/control/drive_path.hpp"
+#include "sylph_core/control/safety_margin.hpp"
 #include "sylph_core/grid/rng.hpp"
 
 namespace sylph {
@@ -31,6 +34,13 @@ class World {
     }
   }
 
+  /// Tasks of plan 1 along a path of cells.
+  void sendAlong(const std::vector<Cell>& path) {
+    for (std::uint32_t k = 0; k + 1 < path.size(); ++k) {
+      controller.onTask({1, k, path[k], path[k + 1], false}, now_s);
+    }
+  }
+
   void run(double duration_s) {
     const double end_s = now_s + duration_s - 1e-9;
     while (now_s < end_s) {
@@ -42,6 +52,14 @@ class World {
     cameras_send = false;
     run(duration_s);
     cameras_send = true;
+  }
+
+  /// The node gets no processor time; the base stops by itself `base_timeout_s` after the last
+  /// command.
+  void starveNodeFor(double duration_s) {
+    node_runs = false;
+    run(duration_s);
+    node_runs = true;
   }
 
   RobotStatus status() const { return controller.status(now_s); }
@@ -58,14 +76,16 @@ class World {
   CentralMode mode = CentralMode::Run;
   bool central_sends = true;
   bool cameras_send = true;
+  bool node_runs = true;
+  double base_timeout_s = ExecutionSpec{}.base_timeout_s;
   double now_s = 50.0;
 
  private:
   void step() {  // 0.01 s
-    if (central_sends && step_ % 10 == 0) {
+    if (node_runs && central_sends && step_ % 10 == 0) {
       controller.onCentralState(mode, now_s);
     }
-    if (cameras_send) {
+    if (node_runs && cameras_send) {
       const double noise_m = 1e-4 * normal_(rng_);
       controller.onPose({{pose.x_m + camera_offset.x_m + noise_m, pose.y_m + camera_offset.y_m,
                           pose.yaw_rad + camera_offset.yaw_rad},
@@ -73,8 +93,11 @@ class World {
                          now_s,
                          now_s});
     }
-    if (step_ % 2 == 0) {
+    if (node_runs && step_ % 2 == 0) {
       command_robot = controller.update(now_s);
+      commanded_s_ = now_s;
+    } else if (now_s - commanded_s_ > base_timeout_s) {
+      command_robot = {};
     }
     const Twist2d target_map = mapFromRobot(command_robot, pose.yaw_rad);
     const double share = 1.0 - std::exp(-0.01 / 0.1);
@@ -88,6 +111,7 @@ class World {
   }
 
   int step_ = 0;
+  double commanded_s_ = 0.0;
   Twist2d wheel_map_;
   Rng rng_{1};
   std::normal_distribution<double> normal_;
@@ -147,6 +171,53 @@ TEST(RobotControllerTest, RampsToZeroWithoutPosesAndGoesOnByItself) {
   world.cameras_send = true;
   world.run(4.0);
   EXPECT_EQ(4, world.status().done);
+}
+
+double distanceToPath(const DrivePath& path, const Point& point) {
+  double smallest_m = std::numeric_limits<double>::infinity();
+  for (int leg = 0; leg < path.legCount(); ++leg) {
+    smallest_m = std::min(smallest_m, distanceToLeg(path.leg(leg), point));
+  }
+  return smallest_m;
+}
+
+/// Largest distance of the true position from the planned path while a node is starved once, from
+/// `starve_after_s` after the tasks came [m].
+double largestDeviation(World& world, const std::vector<Cell>& path, double starve_after_s) {
+  DrivePath planned(world.frame.toPoint(path.front()));
+  for (std::size_t k = 1; k < path.size(); ++k) {
+    planned.append(world.frame.toPoint(path[k]), 0.0);
+  }
+  world.run(0.2);
+  world.sendAlong(path);
+  world.run(starve_after_s);
+  double largest_m = 0.0;
+  for (int tick = 0; tick < 1000; ++tick) {
+    if (tick < 50) {
+      world.starveNodeFor(0.01);
+    } else {
+      world.run(0.01);
+    }
+    largest_m = std::max(largest_m, distanceToPath(planned, position(world.pose)));
+  }
+  return largest_m;
+}
+
+TEST(RobotControllerTest, ANodeThatIsStarvedAtTheWorstMomentStaysWithinTheMargin) {
+  const double overrun_m = computeSafetyMargin(safetyFactors(Experiment{})).overrun_m;
+  const std::vector<Cell> path = {{2, 0}, {2, 1}, {2, 2}, {1, 2}, {1, 3}};
+  double worst_m = 0.0;
+  for (double after_s = 0.1; after_s < 6.0; after_s += 0.03) {
+    SCOPED_TRACE(after_s);
+    World world(path.front());
+    worst_m = std::max(worst_m, largestDeviation(world, path, after_s));
+    EXPECT_EQ(4, world.status().done);  // and it goes on by itself
+  }
+  EXPECT_LT(worst_m, overrun_m);
+  // The moments tried are the bad ones: a base that latches for half a second leaves its cells.
+  World latching(path.front());
+  latching.base_timeout_s = 0.5;
+  EXPECT_GT(largestDeviation(latching, path, 2.2), overrun_m);
 }
 
 TEST(RobotControllerTest, APoseThatIsNotFiniteStopsIt) {

@@ -72,6 +72,17 @@ TEST(SafetyMarginTest, SaysSlowDownWhereOnlyALostPoseIsDangerous) {
   })) << testing::PrintToString(margin.remedies);
 }
 
+TEST(SafetyMarginTest, ABaseThatLatchesItsCommandUsesTheBudgetUp) {
+  SafetyFactors factors = safetyFactors(lab());
+  factors.base_timeout_s = 0.5;
+  const SafetyMargin margin = computeSafetyMargin(factors);
+  EXPECT_NEAR(0.25 * 0.55, margin.overrun_m, 1e-9);
+  EXPECT_EQ(SafetyVerdict::SlowDown, margin.verdict);
+  EXPECT_TRUE(std::any_of(margin.remedies.begin(), margin.remedies.end(), [](const auto& remedy) {
+    return remedy.find("base_timeout_s = 0.5 to at most 0.141") == 0;
+  })) << testing::PrintToString(margin.remedies);
+}
+
 TEST(SafetyMarginTest, EachRemedyAloneIsEnough) {
   SafetyFactors factors = safetyFactors(lab());
   factors.cell_size_m = 0.27;

@@ -72,6 +72,7 @@ TEST_F(ExperimentTest, ReadsEveryField) {
   EXPECT_DOUBLE_EQ(2.5, experiment.planning.time_limit_s);
   EXPECT_DOUBLE_EQ(0.4, experiment.execution.speed_limit_mps);
   EXPECT_DOUBLE_EQ(0.0, experiment.execution.command_latency_s);
+  EXPECT_DOUBLE_EQ(ExecutionSpec{}.base_timeout_s, experiment.execution.base_timeout_s);
   EXPECT_DOUBLE_EQ(ExecutionSpec{}.pose_timeout_s, experiment.execution.pose_timeout_s);
 }
 

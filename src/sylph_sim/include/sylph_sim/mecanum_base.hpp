@@ -17,7 +17,7 @@ struct BaseOptions {
   double wheel_acceleration_limit_radps2 = 40.0;  ///< > 0
   double wheel_lag_s = 0.08;          ///< time constant of the wheel speed controllers, >= 0
   double command_latency_s = 0.02;    ///< from a command's arrival to its effect, >= 0
-  double command_timeout_s = 0.5;     ///< the base latches a command for this long, > 0
+  double command_timeout_s = 0.1;     ///< the base latches a command for this long, > 0
   double command_resolution = 0.001;  ///< step of a command [m/s, rad/s], 0 for none, >= 0
   double wheel_scale_error = 0.01;    ///< standard deviation of a wheel's constant gain, 0 ... 0.2
   double speed_noise = 0.02;          ///< standard deviation relative to the speed, 0 ... 0.5

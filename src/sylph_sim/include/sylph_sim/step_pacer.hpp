@@ -8,12 +8,13 @@ namespace sylph_sim {
 /// Tells how many simulation steps are due, from a steady wall clock that it is given.
 ///
 /// When the machine is too slow the steps that are overdue are put off, never skipped: simulated
-/// time runs slower than asked for, and speed() says by how much.
+/// time runs slower than asked for, and speed() says by how much. Steps that are caught up on in
+/// one go pass while no controller can answer, so they may be few.
 class StepPacer {
  public:
   /// @param step_s         simulated seconds a step, > 0
   /// @param target_speed   simulated seconds a wall second, > 0
-  /// @param max_backlog_s  wall time of steps that are caught up on after a hitch, > 0
+  /// @param max_backlog_s  simulated time that is caught up on in one go after a hitch, > 0
   /// @throws std::invalid_argument if one is not
   StepPacer(double step_s, double target_speed, double max_backlog_s);
 

@@ -59,7 +59,7 @@ struct ExecutionLimits {
   double silent_after_s = 1.0;    ///< > 0
   double stuck_after_s = 5.0;     ///< > 0
   double lost_after_s = 0.0;      ///< trouble for so long makes a robot lost; 0: never by itself
-  double start_wait_s = 5.0;      ///< a plan waits so long for robots to rest and report, > 0
+  double start_wait_s = 60.0;     ///< a plan waits so long for robots to rest and report, > 0
   double progress_m = 0.02;       ///< a robot that moves so far makes progress, > 0
   double start_offset_m = 0.035;  ///< a robot may stand so far off the centre of its start, > 0
 };

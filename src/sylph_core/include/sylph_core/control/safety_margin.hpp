@@ -18,11 +18,12 @@ struct SafetyFactors {
   double speed_limit_mps = 0.0;          ///< > 0
   double acceleration_limit_mps2 = 0.0;  ///< also for braking, > 0
   double pose_timeout_s = 0.0;           ///< a robot drives on so long without a pose, >= 0
+  double base_timeout_s = 0.0;           ///< a base drives on so long without a command, >= 0
   double command_latency_s = 0.0;        ///< from capture to a moving wheel, >= 0
 };
 
 enum class SafetyVerdict {
-  Run,       ///< robots stay apart, even if one of them loses its pose at the worst moment
+  Run,       ///< robots stay apart, even if one loses its pose or its node at the worst moment
   SlowDown,  ///< they stay apart as long as poses come; slower, also without
   Refuse,    ///< they may touch although everybody keeps to its tolerances
 };
@@ -35,17 +36,18 @@ enum class SafetyVerdict {
 ///     reach = max over t <= theta of L/2 cos t + W/2 sin t  (or with L and W swapped),
 /// and two robots that are both off by e = max(tracking error, position tolerance) keep
 ///     separation = cell - 2 reach - 2 e.
-/// A robot that loses its pose where it should begin to brake goes v (pose timeout + latency) too
-/// far, since the way that it needs for braking lies within the cells that it holds. Being ahead on
-/// its segment, and not beside it, its own e does not add to that:
+/// A robot that loses its pose where it should begin to brake, or whose node falls silent there,
+/// goes v (max(pose timeout, base timeout) + latency) too far, since the way that it needs for
+/// braking lies within the cells that it holds. Being ahead on its segment, and not beside it, its
+/// own e does not add to that:
 ///     blind separation = cell - 2 reach - e - overrun.
 struct SafetyMargin {
   double reach_m = 0.0;
   double error_m = 0.0;
-  double blind_travel_m = 0.0;      ///< from the last good pose to a standstill
+  double blind_travel_m = 0.0;      ///< from the last good pose or command to a standstill
   double overrun_m = 0.0;           ///< of that, beyond the cells that the robot holds
   double separation_m = 0.0;        ///< gap between footprints while all robots have poses
-  double blind_separation_m = 0.0;  ///< gap if one robot loses its pose at the worst moment
+  double blind_separation_m = 0.0;  ///< gap if one robot loses pose or node at the worst moment
   SafetyVerdict verdict = SafetyVerdict::Refuse;
   std::vector<std::string> remedies;  ///< each alone would do; empty where nothing is needed
 

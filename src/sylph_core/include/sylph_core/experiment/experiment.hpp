@@ -31,6 +31,7 @@ struct ExecutionSpec {
       0.0524;                       ///< heading error that robots hold at all times (3 deg), > 0
   double tracking_error_m = 0.012;  ///< largest distance from the planned segment, > 0
   double pose_timeout_s = 0.1;      ///< a pose older than this is stale, > 0
+  double base_timeout_s = 0.1;      ///< a base stops by itself so long after a command, > 0
   double command_latency_s = 0.05;  ///< from capture to a moving wheel, >= 0
 };
 
