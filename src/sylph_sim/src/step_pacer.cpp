@@ -27,8 +27,7 @@ int StepPacer::stepsDue(double wall_s) {
   // The small share keeps a wall clock that ticks in whole steps from being one step late.
   const auto target =
       static_cast<std::int64_t>(std::floor((wall_s - *origin_wall_s_) * steps_per_wall_s + 1e-6));
-  const auto limit =
-      std::max<std::int64_t>(1, std::llround(max_backlog_s_ / step_s_));
+  const auto limit = std::max<std::int64_t>(1, std::llround(max_backlog_s_ / step_s_));
   std::int64_t due = std::max<std::int64_t>(0, target - steps_);
   if (due > limit) {
     due = limit;
