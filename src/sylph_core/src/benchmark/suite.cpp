@@ -7,7 +7,7 @@
 #include <utility>
 
 #include "files/text_file.hpp"
-#include "files/yaml_map.hpp"
+#include "sylph_core/files/yaml_map.hpp"
 #include "sylph_core/grid/map_file.hpp"
 #include "sylph_core/mapf/random_instance.hpp"
 #include "sylph_core/mapf/scenario_file.hpp"

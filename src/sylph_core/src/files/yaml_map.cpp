@@ -1,4 +1,4 @@
-#include "files/yaml_map.hpp"
+#include "sylph_core/files/yaml_map.hpp"
 
 #include <yaml-cpp/eventhandler.h>
 

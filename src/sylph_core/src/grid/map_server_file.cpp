@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "files/text_file.hpp"
-#include "files/yaml_map.hpp"
+#include "sylph_core/files/yaml_map.hpp"
 
 namespace sylph {
 namespace {
