@@ -39,6 +39,8 @@ install_packages() {
 
 # catkin_make with what all builds of the suite have in common.
 build() {
+  # Tests run in an environment that catkin stores when it configures, with folders that exist then.
+  mkdir -p devel/lib/python3/dist-packages
   local launcher=()
   if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
   catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3 "${launcher[@]}" "$@"
