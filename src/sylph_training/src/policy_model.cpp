@@ -3,6 +3,7 @@
 #include <cmath>
 #include <set>
 #include <stdexcept>
+#include <tuple>
 
 #include "sylph_core/grid/action.hpp"
 #include "sylph_core/policy/observation.hpp"
@@ -72,7 +73,8 @@ class PolicyModelImpl::Block : public nn::Module {
   nn::LayerNorm after_feedforward_;
 };
 
-PolicyModelImpl::PolicyModelImpl(const sylph::NetworkShape& shape) : shape_(shape) {
+PolicyModelImpl::PolicyModelImpl(const sylph::NetworkShape& shape, Decoder decoder)
+    : shape_(shape), decoder_(decoder) {
   shape.requireValid();
   const int view_width = shape.width - shape.goal_width - shape.message_width;
   const auto encoder = register_module("encoder", std::make_shared<nn::Module>());
@@ -96,12 +98,16 @@ PolicyModelImpl::PolicyModelImpl(const sylph::NetworkShape& shape) : shape_(shap
   residual1_ = residual->register_module("first", nn::Linear(shape.width, shape.width));
   residual2_ = residual->register_module("second", nn::Linear(shape.width, shape.width));
 
-  semantic_ = register_module("semantic", std::make_shared<Block>(shape.width));
-  token_weights_ =
-      semantic_->register_module("token_weights", nn::Linear(shape.width, shape.semantic_tokens));
-  token_basis_ = semantic_->register_module("token_basis", nn::Linear(shape.width, shape.width));
-  positions_ = semantic_->register_parameter(
-      "positions", 0.1 * torch::randn({shape.semantic_tokens + 1, shape.width}));
+  if (decoder == Decoder::Lstm) {
+    lstm_ = register_module("lstm", nn::LSTMCell(shape.width, shape.width));
+  } else {
+    semantic_ = register_module("semantic", std::make_shared<Block>(shape.width));
+    token_weights_ =
+        semantic_->register_module("token_weights", nn::Linear(shape.width, shape.semantic_tokens));
+    token_basis_ = semantic_->register_module("token_basis", nn::Linear(shape.width, shape.width));
+    positions_ = semantic_->register_parameter(
+        "positions", 0.1 * torch::randn({shape.semantic_tokens + 1, shape.width}));
+  }
 
   const auto heads = register_module("heads", std::make_shared<nn::Module>());
   action_head_ = heads->register_module("action", nn::Linear(shape.width, sylph::kActionCount));
@@ -110,22 +116,41 @@ PolicyModelImpl::PolicyModelImpl(const sylph::NetworkShape& shape) : shape_(shap
   blocking_head_ = heads->register_module("blocking", nn::Linear(shape.width, 1));
 }
 
+std::int64_t PolicyModelImpl::memoryWidth() const {
+  return decoder_ == Decoder::Lstm ? 2 * shape_.width : shape_.width;
+}
+
 PolicyOutput PolicyModelImpl::forward(const PolicyInput& input) {
+  return decide(features(input), input.memory);
+}
+
+torch::Tensor PolicyModelImpl::features(const PolicyInput& input) {
   const auto ask = [&](const torch::Tensor& rows) {
     return input.asked.defined() ? rows.index_select(0, input.asked) : rows;
   };
-  torch::Tensor features =
+  const torch::Tensor joined =
       torch::cat({encode(input.views), torch::relu(goal_->forward(ask(input.vectors))),
                   ask(communicate(input))},
                  1);
-  features =
-      torch::relu(features + residual2_->forward(torch::relu(residual1_->forward(features))));
+  return torch::relu(joined + residual2_->forward(torch::relu(residual1_->forward(joined))));
+}
+
+PolicyOutput PolicyModelImpl::decide(const torch::Tensor& features, const torch::Tensor& memory) {
   PolicyOutput output;
-  output.memory = remember(features, input.memory);
-  output.actions = action_head_->forward(output.memory);
-  output.svo = svo_head_->forward(output.memory);
-  output.values = value_head_->forward(output.memory).squeeze(1);
-  output.blocking = blocking_head_->forward(output.memory).squeeze(1);
+  torch::Tensor decided;
+  if (decoder_ == Decoder::Lstm) {
+    const std::vector<torch::Tensor> states = memory.chunk(2, 1);
+    torch::Tensor cell;
+    std::tie(decided, cell) = lstm_->forward(features, std::tuple(states[0], states[1]));
+    output.memory = torch::cat({decided, cell}, 1);
+  } else {
+    decided = remember(features, memory);
+    output.memory = decided;
+  }
+  output.actions = action_head_->forward(decided);
+  output.svo = svo_head_->forward(decided);
+  output.values = value_head_->forward(decided).squeeze(1);
+  output.blocking = blocking_head_->forward(decided).squeeze(1);
   return output;
 }
 

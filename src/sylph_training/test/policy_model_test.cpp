@@ -63,6 +63,22 @@ TEST(PolicyModelTest, OtherWidthsToo) {
   expectSameOutputs(shape, 9, 2);
 }
 
+TEST(PolicyModelTest, AnLstmRemembersInsteadOfTheSemanticTransformer) {
+  torch::manual_seed(1);
+  const sylph::NetworkShape shape;
+  PolicyModel model(shape, Decoder::Lstm);
+  EXPECT_EQ(2 * shape.width, model->memoryWidth());
+  EXPECT_EQ(0U, exportWeights(model).tensors.count("semantic.positions"));
+  const torch::NoGradGuard no_grad;
+  const torch::Tensor features = torch::randn({3, shape.width});
+  const torch::Tensor blank = torch::zeros({3, model->memoryWidth()});
+  const PolicyOutput first = model->decide(features, blank);
+  const PolicyOutput second = model->decide(features, first.memory);
+  EXPECT_EQ((std::vector<std::int64_t>{3, model->memoryWidth()}), first.memory.sizes().vec());
+  EXPECT_GT((first.actions - second.actions).abs().max().item<float>(), 1e-4F);
+  EXPECT_TRUE(torch::equal(first.actions, model->decide(features, blank).actions));
+}
+
 TEST(PolicyModelTest, WeightsThereAndBackAreTheSame) {
   PolicyModel first((sylph::NetworkShape()));
   PolicyModel second((sylph::NetworkShape()));

@@ -14,7 +14,7 @@ struct PolicyInput {
   torch::Tensor svo;      ///< n x svo_levels: of all agents
   torch::Tensor hop1;     ///< n x n sparse: the partner graph, symmetrically normalised
   torch::Tensor hop2;     ///< n x n sparse: likewise its square
-  torch::Tensor memory;   ///< a x width
+  torch::Tensor memory;   ///< a x memoryWidth()
   torch::Tensor asked;    ///< a: rows of the agents that are asked for, int64; undefined: all
 };
 
@@ -23,15 +23,30 @@ struct PolicyOutput {
   torch::Tensor svo;       ///< a x svo_levels logits
   torch::Tensor values;    ///< a
   torch::Tensor blocking;  ///< a, logits
-  torch::Tensor memory;    ///< a x width
+  torch::Tensor memory;    ///< a x memoryWidth(), to be fed back
+};
+
+/// What turns the features of a step and the memory of the one before into decisions.
+enum class Decoder {
+  SemanticTransformer,  ///< the paper's, and that of sylph::Network
+  Lstm,                 ///< what the paper compares it with; for training only
 };
 
 /// The network of sylph::Network as something that learns: same names, same shapes, same outputs.
 class PolicyModelImpl : public torch::nn::Module {
  public:
-  explicit PolicyModelImpl(const sylph::NetworkShape& shape);
+  explicit PolicyModelImpl(const sylph::NetworkShape& shape,
+                           Decoder decoder = Decoder::SemanticTransformer);
 
+  /// decide() upon features()
   PolicyOutput forward(const PolicyInput& input);
+  /// What does not depend on the memory, a x width; many steps at once are cheaper than one by one.
+  torch::Tensor features(const PolicyInput& input);
+  /// @param memory  a x memoryWidth()
+  PolicyOutput decide(const torch::Tensor& features, const torch::Tensor& memory);
+
+  /// Columns of the memory: the width, twice that for an LSTM, which keeps its cell as well.
+  std::int64_t memoryWidth() const;
   const sylph::NetworkShape& shape() const { return shape_; }
 
  private:
@@ -41,12 +56,14 @@ class PolicyModelImpl : public torch::nn::Module {
   torch::Tensor remember(const torch::Tensor& features, const torch::Tensor& memory);
 
   sylph::NetworkShape shape_;
+  Decoder decoder_;
   torch::nn::Conv2d conv1_{nullptr}, conv2_{nullptr}, conv3_{nullptr}, conv4_{nullptr};
   torch::nn::Linear view_out_{nullptr}, goal_{nullptr}, message_in_{nullptr};
   std::shared_ptr<Block> among_hops_, from_self_, semantic_;
   torch::nn::Linear residual1_{nullptr}, residual2_{nullptr};
   torch::nn::Linear token_weights_{nullptr}, token_basis_{nullptr};
   torch::Tensor positions_;
+  torch::nn::LSTMCell lstm_{nullptr};
   torch::nn::Linear action_head_{nullptr}, svo_head_{nullptr}, value_head_{nullptr},
       blocking_head_{nullptr};
 };
