@@ -191,15 +191,6 @@ const std::vector<std::pair<std::string, int NetworkShape::*>>& NetworkShape::me
   return all;
 }
 
-Network Network::load(const std::string& path) {
-  const TensorFile file = loadTensorFile(path);
-  try {
-    return {NetworkShape::fromMetadata(file.metadata), file, path};
-  } catch (const std::invalid_argument& error) {
-    refuse(path, error.what());
-  }
-}
-
 Network::Network(const NetworkShape& shape, const TensorFile& weights, const std::string& name)
     : shape_(shape) {
   shape.requireValid();

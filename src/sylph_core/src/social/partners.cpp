@@ -51,11 +51,26 @@ Partners::Partners(const Grid& grid, DistanceToGoal distance, const Configuratio
   }
 }
 
-void Partners::update(const Configuration& cells) {
-  if (cells.size() != paths_.size()) {
-    throw std::invalid_argument(std::to_string(cells.size()) + " agents instead of " +
+void Partners::requireCount(std::size_t count) const {
+  if (count != paths_.size()) {
+    throw std::invalid_argument(std::to_string(count) + " agents instead of " +
                                 std::to_string(paths_.size()));
   }
+}
+
+void Partners::update(const Configuration& cells, const std::vector<AgentId>& before) {
+  requireCount(before.size());
+  for (std::size_t agent = 0; agent < before.size(); ++agent) {
+    if (fixed_[agent] != before[agent]) {
+      fixed_[agent] = before[agent];
+      crossing_[agent] = kNoCrossing;
+    }
+  }
+  update(cells);
+}
+
+void Partners::update(const Configuration& cells) {
+  requireCount(cells.size());
   for (std::size_t agent = 0; agent < cells.size(); ++agent) {
     Path& path = paths_[agent];
     const int cell = grid_->indexOf(cells[agent]);

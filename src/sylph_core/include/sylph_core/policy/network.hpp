@@ -71,11 +71,9 @@ struct NetworkOutput {
 /// self-attention only the memory token's row is read, so that an agent costs O(width^2).
 class Network {
  public:
-  /// @throws std::runtime_error naming the file, and the metadata entry or the tensor that is
-  /// missing, superfluous or of another shape
-  static Network load(const std::string& path);
-
   /// @param name  of the file, for errors
+  /// @throws std::runtime_error naming the file and the tensor that is missing, superfluous or of
+  /// another shape
   Network(const NetworkShape& shape, const TensorFile& weights, const std::string& name);
 
   const NetworkShape& shape() const { return shape_; }

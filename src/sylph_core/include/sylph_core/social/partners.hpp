@@ -39,6 +39,11 @@ class Partners {
   /// @throws std::invalid_argument if the number of agents is another
   void update(const Configuration& cells);
 
+  /// Another timestep: that after one in which the fixed partners were those of `before`. Whoever
+  /// is its own partner there takes the temporary one.
+  /// @throws std::invalid_argument if the number of agents is another
+  void update(const Configuration& cells, const std::vector<AgentId>& before);
+
   /// Fixed partner of each agent.
   const std::vector<AgentId>& fixed() const { return fixed_; }
   /// Temporary partner of one agent.
@@ -57,6 +62,7 @@ class Partners {
     std::size_t next = 0;
   };
 
+  void requireCount(std::size_t count) const;
   void layPath(AgentId agent, const Cell& start);
   void takeUpPath(AgentId agent);
   void removeVisit(AgentId agent, int cell);

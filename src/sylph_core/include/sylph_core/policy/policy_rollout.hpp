@@ -1,0 +1,73 @@
+#pragma once
+
+#include <vector>
+
+#include "sylph_core/grid/distance_field.hpp"
+#include "sylph_core/grid/grid.hpp"
+#include "sylph_core/grid/rng.hpp"
+#include "sylph_core/mapf/types.hpp"
+#include "sylph_core/policy/observation.hpp"
+#include "sylph_core/policy/policy.hpp"
+#include "sylph_core/social/partners.hpp"
+#include "sylph_core/social/social_state.hpp"
+
+namespace sylph {
+
+/// Which SVO agents act by, of the distribution that the policy gives.
+enum class SvoChoice {
+  Mean,    ///< the mean angle
+  Sample,  ///< a level, drawn
+};
+
+/// What the policy says in one configuration, and what it takes along to the next one.
+struct PolicyStep {
+  AgentRows actions;   ///< n x 5 logits, in the order of Action
+  AgentRows svo;       ///< n x levels, each row of sum 1
+  AgentRows memory;    ///< n x width, or empty if the policy has none
+  SocialState social;  ///< fixed partners, SVOs that agents act by
+};
+
+/// The policy of all agents of an instance, from one configuration to the next: observation,
+/// partners, one call of the network, SVO.
+///
+/// The network sees the SVO distributions of the step before: at the start nothing is known of
+/// them, so that all levels are alike. An agent on its goal takes the most prosocial level,
+/// whatever the network says, and that is also what the network gets to see of it.
+class PolicyRollout {
+ public:
+  /// @param policy, grid  must outlive this object
+  /// @param threads       that the network may use, > 0
+  PolicyRollout(const Policy& policy, const Grid& grid, const Configuration& goals,
+                SvoChoice svo_choice, int threads);
+  PolicyRollout(const PolicyRollout&) = delete;  // the encoder refers to the distances
+  PolicyRollout& operator=(const PolicyRollout&) = delete;
+
+  /// What goes before the first step.
+  PolicyStep nothingKnown() const;
+
+  /// The step in `to`, one timestep after the step `before` in `from`; the first one comes after
+  /// nothingKnown() in the same configuration. Steps need not follow each other in the order of the
+  /// calls: a search can come back to any one.
+  /// @throws std::invalid_argument if the number of agents is another
+  PolicyStep follow(const PolicyStep& before, const Configuration& from, const Configuration& to,
+                    Rng& rng);
+
+  /// Per agent the distances to its goal.
+  const std::vector<DistanceField>& distances() const { return distances_; }
+  /// How often the network has been asked.
+  long calls() const { return calls_; }
+
+ private:
+  PolicyStep evaluate(AgentStates states, NetworkInput input, Rng& rng);
+
+  const Policy* policy_;
+  const Grid* grid_;
+  SvoChoice svo_choice_;
+  int threads_;
+  std::vector<DistanceField> distances_;
+  ObservationEncoder encoder_;
+  Partners partners_;
+  long calls_ = 0;
+};
+
+}  // namespace sylph

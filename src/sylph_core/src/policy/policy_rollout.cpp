@@ -1,0 +1,148 @@
+#include "sylph_core/policy/policy_rollout.hpp"
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <utility>
+
+#include "sylph_core/social/svo.hpp"
+
+namespace sylph {
+namespace {
+
+constexpr int kFewestAgentsOfThread = 16;  // for fewer, starting a thread costs more than it saves
+
+/// Weights may be such that numbers overflow; then the network has said nothing.
+void silenceUnlessFinite(AgentRows& logits) {
+  for (Eigen::Index row = 0; row < logits.rows(); ++row) {
+    if (!logits.row(row).allFinite()) {
+      logits.row(row).setZero();
+    }
+  }
+}
+
+AgentRows softmax(const AgentRows& logits) {
+  AgentRows probabilities = (logits.colwise() - logits.rowwise().maxCoeff()).array().exp();
+  probabilities.array().colwise() /= probabilities.rowwise().sum().array().eval();
+  return probabilities;
+}
+
+float meanAngle(const float* probabilities) {
+  return static_cast<float>(
+      meanSvo(std::vector<float>(probabilities, probabilities + kSvoLevelCount)));
+}
+
+float drawnAngle(const float* probabilities, Rng& rng) {
+  double left = drawFraction(rng);
+  int level = 0;
+  for (; level < kMostProsocialLevel; ++level) {
+    left -= static_cast<double>(probabilities[level]);
+    if (left < 0.0) {
+      break;
+    }
+  }
+  return static_cast<float>(svoOfLevel(level));
+}
+
+/// The distribution of an agent on its goal.
+template <typename Row>
+void makeMostProsocial(Row&& probabilities) {
+  probabilities.setZero();
+  probabilities(kMostProsocialLevel) = 1.F;
+}
+
+std::vector<DistanceField> distancesTo(const Configuration& goals, const Grid& grid) {
+  std::vector<DistanceField> distances;
+  distances.reserve(goals.size());
+  for (const Cell& goal : goals) {
+    distances.emplace_back(grid, goal);
+  }
+  return distances;
+}
+
+}  // namespace
+
+PolicyRollout::PolicyRollout(const Policy& policy, const Grid& grid, const Configuration& goals,
+                             SvoChoice svo_choice, int threads)
+    : policy_(&policy),
+      svo_choice_(svo_choice),
+      threads_(std::clamp(static_cast<int>(goals.size()) / kFewestAgentsOfThread, 1, threads)),
+      distances_(distancesTo(goals, grid)),
+      encoder_(grid, distances_),
+      partners_(
+          grid,
+          [this](AgentId agent, const Cell& cell) {
+            return distances_[static_cast<std::size_t>(agent)].at(cell);
+          },
+          goals) {}  // anywhere: follow() tells where the agents are
+
+PolicyStep PolicyRollout::nothingKnown() const {
+  PolicyStep step;
+  step.svo = AgentRows::Constant(static_cast<Eigen::Index>(distances_.size()), kSvoLevelCount,
+                                 1.F / kSvoLevelCount);
+  step.social.svo_deg.assign(distances_.size(), meanAngle(step.svo.data()));
+  step.social.partners.resize(distances_.size());
+  std::iota(step.social.partners.begin(), step.social.partners.end(), 0);
+  return step;
+}
+
+PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& from,
+                                 const Configuration& to, Rng& rng) {
+  const std::size_t count = distances_.size();
+  const auto rows = static_cast<Eigen::Index>(count);
+  if (from.size() != count || to.size() != count || before.svo.rows() != rows) {
+    throw std::invalid_argument("a step of " + std::to_string(to.size()) + " agents: must be " +
+                                std::to_string(count));
+  }
+  AgentStates states{to, {}, before.social.svo_deg};
+  NetworkInput input;
+  input.svo = before.svo;
+  for (std::size_t agent = 0; agent < count; ++agent) {
+    states.last_moves.push_back(actionBetween(from[agent], to[agent]).value_or(Action::Stay));
+    if (to[agent] == distances_[agent].goal()) {
+      states.svo_deg[agent] = static_cast<float>(svoOfLevel(kMostProsocialLevel));
+      makeMostProsocial(input.svo.row(static_cast<Eigen::Index>(agent)));
+    }
+  }
+  input.memory = before.memory.size() > 0 ? before.memory
+                                          : AgentRows::Zero(rows, policy_->network().shape().width);
+  partners_.update(to, before.social.partners);
+  input.partners = partners_.fixed();
+  return evaluate(std::move(states), std::move(input), rng);
+}
+
+PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, Rng& rng) {
+  const std::size_t count = distances_.size();
+  const auto rows = static_cast<Eigen::Index>(count);
+  encoder_.setStates(states);
+  input.views.resize(rows, kObservationSize);
+  input.vectors.resize(rows, kVectorSize);
+  for (Eigen::Index agent = 0; agent < rows; ++agent) {
+    encoder_.encode(static_cast<AgentId>(agent), input.views.row(agent).data(),
+                    input.vectors.row(agent).data());
+  }
+  NetworkOutput output = policy_->network().forward(input, threads_);
+  ++calls_;
+  PolicyStep step;
+  step.actions = std::move(output.actions);
+  silenceUnlessFinite(step.actions);
+  silenceUnlessFinite(output.svo);
+  step.svo = softmax(output.svo);
+  step.social.partners = std::move(input.partners);
+  for (Eigen::Index agent = 0; agent < rows; ++agent) {
+    if (states.cells[static_cast<std::size_t>(agent)] ==
+        distances_[static_cast<std::size_t>(agent)].goal()) {
+      makeMostProsocial(step.svo.row(agent));
+    }
+    const float* probabilities = step.svo.row(agent).data();
+    step.social.svo_deg.push_back(svo_choice_ == SvoChoice::Mean ? meanAngle(probabilities)
+                                                                 : drawnAngle(probabilities, rng));
+  }
+  if (policy_->hasMemory()) {
+    step.memory = std::move(output.memory);
+    silenceUnlessFinite(step.memory);
+  }
+  return step;
+}
+
+}  // namespace sylph

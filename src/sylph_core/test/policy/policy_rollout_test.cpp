@@ -1,0 +1,136 @@
+#include "sylph_core/policy/policy_rollout.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <set>
+#include <stdexcept>
+
+#include "sylph_core/social/svo.hpp"
+#include "test/support/random_weights.hpp"
+
+namespace sylph {
+namespace {
+
+// 0 and 1 want past each other in a corridor, 2 is on its goal.
+class PolicyRolloutTest : public ::testing::Test {
+ protected:
+  PolicyRollout rollout(SvoChoice choice = SvoChoice::Mean, int threads = 1) const {
+    return {*policy_, grid_, goals_, choice, threads};
+  }
+  PolicyStep firstStep(PolicyRollout& rollout) {
+    return rollout.follow(rollout.nothingKnown(), starts_, starts_, rng_);
+  }
+
+  Grid grid_ = Grid::fromText(
+      ".....\n"
+      "#.#.#\n"
+      ".....\n");
+  Configuration starts_ = {{0, 0}, {0, 4}, {2, 2}};
+  Configuration goals_ = {{0, 4}, {0, 0}, {2, 2}};
+  Configuration next_ = {{0, 1}, {0, 4}, {2, 2}};
+  std::shared_ptr<const Policy> policy_ = randomPolicy();
+  Rng rng_{1};
+};
+
+TEST_F(PolicyRolloutTest, PartnersAreWhoCrossesOnesWay) {
+  auto walk = rollout();
+  const PolicyStep step = firstStep(walk);
+  EXPECT_EQ((std::vector<AgentId>{1, 0, 2}), step.social.partners);
+  EXPECT_EQ(1, walk.calls());
+}
+
+TEST_F(PolicyRolloutTest, SvosAreMeanAnglesAndFortyFiveDegreesOnTheGoal) {
+  auto walk = rollout();
+  const PolicyStep step = firstStep(walk);
+  ASSERT_EQ(3u, step.social.svo_deg.size());
+  for (int agent = 0; agent < 2; ++agent) {
+    std::vector<float> probabilities(kSvoLevelCount);
+    for (int level = 0; level < kSvoLevelCount; ++level) {
+      probabilities[static_cast<std::size_t>(level)] = step.svo(agent, level);
+    }
+    EXPECT_NEAR(1.F, step.svo.row(agent).sum(), 1e-5F);
+    EXPECT_FLOAT_EQ(static_cast<float>(meanSvo(probabilities)),
+                    step.social.svo_deg[static_cast<std::size_t>(agent)]);
+  }
+  EXPECT_EQ(45.F, step.social.svo_deg[2]);
+  EXPECT_EQ(1.F, step.svo(2, kMostProsocialLevel));
+}
+
+TEST_F(PolicyRolloutTest, SampledSvosAreLevelsInProportion) {
+  auto walk = rollout(SvoChoice::Sample);
+  double sum_deg = 0.0;
+  double mean_deg = 0.0;
+  constexpr int kDraws = 2000;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    const PolicyStep step = firstStep(walk);
+    const float svo_deg = step.social.svo_deg[0];
+    EXPECT_EQ(0.0, std::fmod(svo_deg, kSvoLevelSpacingDeg));
+    sum_deg += svo_deg;
+    for (int level = 0; draw == 0 && level < kSvoLevelCount; ++level) {
+      mean_deg += step.svo(0, level) * svoOfLevel(level);
+    }
+  }
+  EXPECT_NEAR(mean_deg, sum_deg / kDraws, 1.5);  // four standard errors
+}
+
+TEST_F(PolicyRolloutTest, AStepDependsOnTheOneBeforeAndOnNothingElse) {
+  auto walk = rollout();
+  const PolicyStep first = firstStep(walk);
+  const PolicyStep second = walk.follow(first, starts_, next_, rng_);
+  walk.follow(second, next_, starts_, rng_);  // the search goes elsewhere and comes back
+  const PolicyStep again = walk.follow(first, starts_, next_, rng_);
+  EXPECT_EQ(second.actions, again.actions);
+  EXPECT_EQ(second.svo, again.svo);
+  EXPECT_EQ(second.social.partners, again.social.partners);
+  const PolicyStep fresh = walk.follow(walk.nothingKnown(), starts_, next_, rng_);
+  EXPECT_NE(second.actions, fresh.actions);
+}
+
+TEST_F(PolicyRolloutTest, MemoryIsFedBackOnlyIfTheWeightsSaySo) {
+  auto walk = rollout();
+  const PolicyStep first = firstStep(walk);
+  EXPECT_EQ(0, first.memory.size());
+
+  TensorFile weights = RandomWeights(smallShape(), 1).file();
+  weights.metadata["memory"] = "true";
+  policy_ = std::make_shared<const Policy>(weights, "with memory");
+  auto remembering = rollout();
+  const PolicyStep same = firstStep(remembering);
+  EXPECT_EQ(first.actions, same.actions) << "the memory is 0 at the start";
+  EXPECT_EQ(3, same.memory.rows());
+  EXPECT_NE(walk.follow(first, starts_, next_, rng_).actions,
+            remembering.follow(same, starts_, next_, rng_).actions);
+}
+
+TEST_F(PolicyRolloutTest, ThreadsChangeNothing) {
+  grid_ = Grid(10, 10);
+  starts_.clear();
+  goals_.clear();
+  for (int index = 0; index < 40; ++index) {
+    starts_.push_back(grid_.cellAt(index));
+    goals_.push_back(grid_.cellAt(99 - index));
+  }
+  auto alone = rollout();
+  auto together = rollout(SvoChoice::Mean, 3);
+  EXPECT_EQ(firstStep(alone).actions, firstStep(together).actions);
+}
+
+TEST_F(PolicyRolloutTest, WeightsThatOverflowSayNothing) {
+  TensorFile weights = RandomWeights(smallShape(), 1).file();
+  weights.tensors["heads.action.bias"].values[2] = std::numeric_limits<float>::infinity();
+  weights.tensors["heads.svo.bias"].values[0] = std::numeric_limits<float>::quiet_NaN();
+  policy_ = std::make_shared<const Policy>(weights, "overflowing");
+  auto walk = rollout();
+  const PolicyStep step = firstStep(walk);
+  EXPECT_TRUE(step.actions.isZero());
+  EXPECT_FLOAT_EQ(22.5F, step.social.svo_deg[0]);
+}
+
+TEST_F(PolicyRolloutTest, RefusesAnotherNumberOfAgents) {
+  auto walk = rollout();
+  EXPECT_THROW(walk.follow(walk.nothingKnown(), starts_, {{0, 0}}, rng_), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sylph

@@ -1,0 +1,64 @@
+#include "sylph_core/policy/policy.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "test/support/random_weights.hpp"
+#include "test/support/temporary_folder.hpp"
+
+namespace sylph {
+namespace {
+
+class PolicyTest : public ::testing::Test {
+ protected:
+  void expectRefused(const std::string& error) const {
+    try {
+      Policy(weights_, "w.safetensors");
+      FAIL() << "accepted";
+    } catch (const std::runtime_error& thrown) {
+      EXPECT_EQ("w.safetensors: " + error, thrown.what());
+    }
+  }
+
+  TensorFile weights_ = RandomWeights(smallShape(), 3).file();
+};
+
+TEST_F(PolicyTest, ReadsWhetherTheMemoryIsFedBack) {
+  EXPECT_FALSE(Policy(weights_, "w").hasMemory());
+  weights_.metadata["memory"] = "true";
+  EXPECT_TRUE(Policy(weights_, "w").hasMemory());
+  weights_.metadata["memory"] = "false";
+  EXPECT_FALSE(Policy(weights_, "w").hasMemory());
+  weights_.metadata["memory"] = "yes";
+  expectRefused("metadata 'memory' is 'yes': must be 'true' or 'false'");
+}
+
+TEST_F(PolicyTest, LoadsWhatWasSaved) {
+  const TemporaryFolder folder;
+  saveTensorFile(weights_, folder.path("w.safetensors"));
+  EXPECT_EQ(24, Policy::load(folder.path("w.safetensors")).network().shape().width);
+}
+
+TEST_F(PolicyTest, RefusesNetworksForOtherObservations) {
+  weights_.metadata["channels"] = "20";
+  expectRefused("metadata 'channels' is '20': must be '21'");
+  weights_.metadata["channels"] = "21";
+  weights_.metadata["svo_levels"] = "5";
+  expectRefused("metadata 'svo_levels' is '5': must be '10'");
+  weights_.metadata.erase("svo_levels");
+  expectRefused("metadata has no entry 'svo_levels'");
+}
+
+TEST_F(PolicyTest, RefusesTensorsOfAnotherShape) {
+  weights_.metadata["near_width"] = "7";
+  expectRefused("tensor 'encoder.conv1.weight' has the shape [6, 21, 3, 3]: must be [7, 21, 3, 3]");
+  weights_ = RandomWeights(smallShape(), 3).file();
+  weights_.tensors.erase("heads.svo.bias");
+  expectRefused("has no tensor 'heads.svo.bias'; the network needs it, of shape [10]");
+}
+
+}  // namespace
+}  // namespace sylph
