@@ -13,12 +13,14 @@
 #include "run_command.hpp"
 #include "sylph_core/benchmark/run_benchmark.hpp"
 #include "sylph_core/benchmark/suite.hpp"
+#include "weights_option.hpp"
 
 namespace {
 
 struct Options {
   std::string suite_path;
   std::vector<std::string> planners;
+  std::string weights_path;
   int jobs = 1;
   std::string csv_path;
 };
@@ -37,11 +39,12 @@ int benchmark(const Options& options) {
   const sylph::BenchmarkSuite suite = sylph::loadSuite(options.suite_path);
   const std::vector<sylph::BenchmarkCase> cases = sylph::makeCases(suite);
   const auto& planners = options.planners.empty() ? suite.planners : options.planners;
+  const auto policy = sylph::loadPolicy(planners, options.weights_path);
   if (!options.csv_path.empty()) {
     writeCsv({}, options.csv_path);  // before hours of work, not after
   }
   sylph::ProgressBar bar(planners.size() * cases.size());
-  const auto runs = sylph::runBenchmark(planners, cases, suite.limits, options.jobs,
+  const auto runs = sylph::runBenchmark(planners, policy, cases, suite.limits, options.jobs,
                                         [&](std::size_t done) { bar.show(done); });
   std::cout << sylph::toTable(runs);
   if (!options.csv_path.empty()) {
@@ -71,6 +74,7 @@ int main(int argc, char** argv) {
   app.add_option("--planner", options.planners, "in place of the suite's planners")
       ->check(CLI::IsMember(sylph::plannerNames()))
       ->take_all();
+  sylph::addWeightsOption(app, options.weights_path);
   app.add_option("--jobs", options.jobs, "cases at a time; more than free cores blur the times")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();

@@ -7,7 +7,6 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 #include <string>
 
 #include "instance_options.hpp"
@@ -15,6 +14,7 @@
 #include "sylph_core/benchmark/evaluation.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_core/planners/planner.hpp"
+#include "weights_option.hpp"
 
 namespace {
 
@@ -63,10 +63,8 @@ void printText(const Options& options, const sylph::Evaluation& evaluation,
 }
 
 int plan(const Options& options) {
-  if (!options.weights_path.empty()) {
-    throw std::invalid_argument("--weights: planner '" + options.planner + "' takes none");
-  }
-  const std::unique_ptr<sylph::Planner> planner = sylph::makePlanner(options.planner);
+  const std::unique_ptr<sylph::Planner> planner = sylph::makePlanner(
+      options.planner, sylph::loadPolicy({options.planner}, options.weights_path));
   const sylph::Instance instance = options.instance.load();
   sylph::Rng rng(options.seed);
   const sylph::PlanningResult result = planner->plan(instance, options.limits, rng);
@@ -104,7 +102,7 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_option("--seed", options.seed, "same seed and one thread, same first plan")
       ->capture_default_str();
-  app.add_option("--weights", options.weights_path, "of the policy, for planners that have one");
+  sylph::addWeightsOption(app, options.weights_path);
   app.add_option("--threads", options.limits.threads, "that the planner may use")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();

@@ -25,12 +25,13 @@ BenchmarkRun runCase(const Planner& planner, const BenchmarkCase& benchmark_case
 }  // namespace
 
 std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
+                                       const std::shared_ptr<const Policy>& policy,
                                        const std::vector<BenchmarkCase>& cases,
                                        const PlanningLimits& limits, int jobs,
                                        const std::function<void(std::size_t)>& progress) {
   std::vector<std::unique_ptr<Planner>> made;
   for (const std::string& name : planners) {
-    made.push_back(makePlanner(name));
+    made.push_back(makePlanner(name, policy));
   }
   std::vector<BenchmarkRun> runs(made.size() * cases.size());
   std::atomic<std::size_t> next{0};

@@ -4,7 +4,7 @@
 
 #include "sylph_core/planners/first_solution.hpp"
 #include "sylph_core/planners/improvement.hpp"
-#include "sylph_core/planners/social_states.hpp"
+#include "sylph_core/search/distance_generator.hpp"
 #include "sylph_core/search/lacam.hpp"
 
 namespace sylph {
@@ -22,30 +22,45 @@ Outcome outcomeOf(Lacam::Status status, std::size_t plan_size, const PlanningLim
   return static_cast<int>(plan_size) - 1 > limits.max_steps ? Outcome::StepLimit : Outcome::Solved;
 }
 
+/// Improvement leaves this time for the network to be asked along the plan [s].
+double socialStatesAtMost_s(const Guide& guide, const Deadline& deadline, std::size_t steps) {
+  return guide.policyCalls() == 0 ? 0.0
+                                  : deadline.elapsed() / static_cast<double>(guide.policyCalls()) *
+                                        static_cast<double>(steps);
+}
+
 }  // namespace
 
-LacamPlanner::LacamPlanner(std::string name, GeneratorFactory make_generator)
-    : name_(std::move(name)), make_generator_(std::move(make_generator)) {}
+LacamPlanner::LacamPlanner(std::string name, GuideFactory make_guide)
+    : name_(std::move(name)), make_guide_(std::move(make_guide)) {}
 
 PlanningResult LacamPlanner::plan(const Instance& instance, const PlanningLimits& limits,
                                   Rng& rng) const {
   const Deadline deadline(limits.time_limit_s);
   const SearchProblem problem(instance);
-  FirstSolution first = findFirstSolution(problem, make_generator_, deadline, rng);
+  const auto guide = make_guide_(problem, instance, limits.threads, rng);
+  FirstSolution first = findFirstSolution(
+      problem,
+      [&](const SearchProblem& /*problem*/, int attempt, Rng& /*rng*/) {
+        return guide->makeGenerator(attempt);
+      },
+      deadline, rng);
   PlanningResult result;
   result.statistics.first_solution_s = deadline.elapsed();
   result.statistics.search_nodes = first.nodes;
   std::vector<Vertices> best = std::move(first.plan);
   if (first.status == Lacam::Status::Solved && !limits.first_solution_only) {
+    const Deadline rest(deadline.remaining() - socialStatesAtMost_s(*guide, deadline, best.size()));
     Improvement improvement =
-        improve(problem, std::move(best), make_generator_, limits.threads, deadline, rng);
+        improve(problem, std::move(best), makeDistanceGenerator, limits.threads, rest, rng);
     best = std::move(improvement.plan);
     result.statistics.improvements = improvement.improvements;
     result.statistics.search_nodes += improvement.nodes;
   }
   result.plan = problem.graph.toPlan(best);
   result.outcome = outcomeOf(first.status, result.plan.size(), limits);
-  result.social = socialStatesOf(problem, instance.grid, result.plan);
+  result.social = guide->socialStates(best);
+  result.statistics.policy_calls = guide->policyCalls();
   result.statistics.total_s = deadline.elapsed();
   return result;
 }

@@ -1,12 +1,24 @@
 #include "sylph_core/planners/planner.hpp"
 
+#include <map>
 #include <stdexcept>
+#include <utility>
 
 #include "sylph_core/planners/lacam_planner.hpp"
-#include "sylph_core/planners/pibt_planner.hpp"
-#include "sylph_core/search/distance_generator.hpp"
+#include "sylph_core/planners/policy_guide.hpp"
+#include "sylph_core/planners/stepwise_planner.hpp"
 
 namespace sylph {
+namespace {
+
+const std::map<std::string, PolicyUse>& policyUses() {
+  static const std::map<std::string, PolicyUse> kUses = {{"sylph", PolicyUse::TieBreaking},
+                                                         {"sylph_pibt", PolicyUse::Pibt},
+                                                         {"sylph_lacam", PolicyUse::Search}};
+  return kUses;
+}
+
+}  // namespace
 
 std::string toString(Outcome outcome) {
   switch (outcome) {
@@ -23,22 +35,40 @@ std::string toString(Outcome outcome) {
 }
 
 const std::vector<std::string>& plannerNames() {
-  static const std::vector<std::string> kNames = {"lacam", "pibt"};
+  static const std::vector<std::string> kNames = {"lacam", "pibt", "sylph", "sylph_pibt",
+                                                  "sylph_lacam"};
   return kNames;
 }
 
-std::unique_ptr<Planner> makePlanner(const std::string& name) {
+bool needsPolicy(const std::string& planner_name) {
+  return policyUses().count(planner_name) > 0;
+}
+
+std::unique_ptr<Planner> makePlanner(const std::string& name,
+                                     std::shared_ptr<const Policy> policy) {
   if (name == "lacam") {
-    return std::make_unique<LacamPlanner>(name, makeDistanceGenerator);
+    return std::make_unique<LacamPlanner>(name, makeDistanceGuide);
   }
   if (name == "pibt") {
-    return std::make_unique<PibtPlanner>(name, makeDistanceGenerator);
+    return std::make_unique<StepwisePlanner>(name, makeDistanceGuide);
   }
-  std::string allowed;
-  for (const std::string& known : plannerNames()) {
-    allowed += (allowed.empty() ? "" : ", ") + known;
+  const auto use = policyUses().find(name);
+  if (use == policyUses().end()) {
+    std::string allowed;
+    for (const std::string& known : plannerNames()) {
+      allowed += (allowed.empty() ? "" : ", ") + known;
+    }
+    throw std::invalid_argument("planner '" + name + "' is unknown: must be one of " + allowed);
   }
-  throw std::invalid_argument("planner '" + name + "' is unknown: must be one of " + allowed);
+  if (policy == nullptr) {
+    throw std::invalid_argument("planner '" + name + "' needs the weights of a policy");
+  }
+  GuideFactory make_guide =
+      makePolicyGuideFactory(std::move(policy), use->second, defaultSettings(use->second));
+  if (use->second == PolicyUse::Search) {
+    return std::make_unique<LacamPlanner>(name, std::move(make_guide));
+  }
+  return std::make_unique<StepwisePlanner>(name, std::move(make_guide));
 }
 
 }  // namespace sylph

@@ -23,9 +23,9 @@ class DistanceGenerator : public ConfigurationGenerator {
         pibt_(Pibt(problem.graph, problem.goals, problem.distances, problem.motion), ranking_,
               makeTieBreaks(problem, attempt, rng)) {}
 
-  std::vector<AgentId> order(const Vertices& configuration,
+  std::vector<AgentId> order(const Vertices& configuration, const Vertices* before,
                              const std::vector<int>& waited) override {
-    return pibt_.order(configuration, waited);
+    return pibt_.order(configuration, before, waited);
   }
   bool generate(const Vertices& from, const std::vector<AgentId>& order, Vertices& to) override {
     return pibt_.generate(from, order, to);

@@ -4,6 +4,15 @@
 
 namespace sylph {
 
+std::uint64_t hashOf(const Vertices& configuration) {
+  std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
+  for (const VertexId vertex : configuration) {
+    hash = (hash ^ static_cast<std::uint64_t>(vertex)) * 0xff51afd7ed558ccdULL;
+    hash ^= hash >> 32;
+  }
+  return hash;
+}
+
 Graph::Graph(const Grid& grid) : rows_(grid.rows()), cols_(grid.cols()), cells_(grid.freeCells()) {
   vertices_.assign(static_cast<std::size_t>(grid.size()), kNoVertex);
   for (std::size_t vertex = 0; vertex < cells_.size(); ++vertex) {

@@ -12,15 +12,6 @@ constexpr int kStepsBetweenClockReads = 16;
 // Once there is a solution, depth first alone would stay near its end.
 constexpr int kStepsBetweenJumps = 64;
 
-std::uint64_t hashOf(const Vertices& configuration) {
-  std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
-  for (const VertexId vertex : configuration) {
-    hash = (hash ^ static_cast<std::uint64_t>(vertex)) * 0xff51afd7ed558ccdULL;
-    hash ^= hash >> 32;
-  }
-  return hash;
-}
-
 }  // namespace
 
 Lacam::Lacam(const SearchProblem& problem, const Vertices& from, ConfigurationGenerator& generator,
@@ -146,7 +137,8 @@ Lacam::Node* Lacam::addNode(const Vertices& configuration, std::uint64_t hash, N
   node.waited =
       updateWaited(parent == nullptr ? std::vector<int>(problem_->goals.size(), 0) : parent->waited,
                    configuration, problem_->goals);
-  node.order = generator_->order(configuration, node.waited);
+  node.order = generator_->order(configuration,
+                                 parent == nullptr ? nullptr : &parent->configuration, node.waited);
   node.constraints.push_back({0, 0, kNoVertex});
   node.cost = parent == nullptr ? 0 : parent->cost + stepCost(parent->configuration, configuration);
   node.cost_to_go = problem_->distances.sum(configuration);

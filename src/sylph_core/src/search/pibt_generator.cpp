@@ -10,6 +10,7 @@ PibtGenerator::PibtGenerator(Pibt pibt, MoveRanking& ranking, std::vector<double
     : pibt_(std::move(pibt)), ranking_(&ranking), tie_breaks_(std::move(tie_breaks)) {}
 
 std::vector<AgentId> PibtGenerator::order(const Vertices& /*configuration*/,
+                                          const Vertices* /*before*/,
                                           const std::vector<int>& waited) {
   return orderByWaiting(waited, tie_breaks_);
 }

@@ -117,7 +117,7 @@ TEST_F(SuiteTest, RunsGiveTheSamePlansHoweverManyAtATime) {
   std::size_t told = 0;
   const auto runWith = [&](int jobs) {
     told = 0;
-    return runBenchmark(suite.planners, cases, suite.limits, jobs, [&](std::size_t done) {
+    return runBenchmark(suite.planners, nullptr, cases, suite.limits, jobs, [&](std::size_t done) {
       EXPECT_EQ(told + 1, done);
       told = done;
     });

@@ -9,6 +9,7 @@
 #include "sylph_core/grid/components.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 #include "sylph_core/mapf/metrics.hpp"
+#include "test/support/random_weights.hpp"
 
 namespace sylph {
 namespace {
@@ -28,9 +29,21 @@ Instance randomInstance(std::uint32_t seed, int side, double density, int agents
   return instance;
 }
 
+TEST(MakePlannerTest, SomePlannersNeedAPolicy) {
+  for (const std::string& name : plannerNames()) {
+    if (needsPolicy(name)) {
+      EXPECT_THROW(makePlanner(name), std::invalid_argument);
+    } else {
+      EXPECT_EQ(name, makePlanner(name)->name());
+    }
+  }
+  EXPECT_TRUE(needsPolicy("sylph"));
+  EXPECT_FALSE(needsPolicy("lacam"));
+}
+
 TEST(MakePlannerTest, KnowsItsNames) {
   for (const std::string& name : plannerNames()) {
-    EXPECT_EQ(name, makePlanner(name)->name());
+    EXPECT_EQ(name, makePlanner(name, randomPolicy())->name());
   }
 }
 
@@ -52,7 +65,7 @@ TEST(PlannerTest, EveryKindReturnsLegalPlansUnderEitherMotionModel) {
       SCOPED_TRACE(name + ", seed " + std::to_string(seed));
       const Instance instance = randomInstance(seed, 12, 0.15, 30, seed % 2 == 0);
       Rng rng(seed);
-      const PlanningResult result = makePlanner(name)->plan(instance, limits, rng);
+      const PlanningResult result = makePlanner(name, randomPolicy())->plan(instance, limits, rng);
       const auto violation = checkPlan(instance, result.plan);
       if (result.outcome == Outcome::Solved) {
         ASSERT_FALSE(violation.has_value()) << violation->message;
@@ -82,11 +95,13 @@ TEST(PlannerTest, TheSameSeedGivesTheSameFirstPlan) {
   const Instance instance = randomInstance(5, 16, 0.2, 60, false);
   PlanningLimits limits;
   limits.first_solution_only = true;
+  limits.time_limit_s = 60.0;
+  limits.max_steps = 100;
   for (const std::string& name : plannerNames()) {
     Rng one(7);
     Rng other(7);
-    EXPECT_EQ(makePlanner(name)->plan(instance, limits, one).plan,
-              makePlanner(name)->plan(instance, limits, other).plan);
+    EXPECT_EQ(makePlanner(name, randomPolicy())->plan(instance, limits, one).plan,
+              makePlanner(name, randomPolicy())->plan(instance, limits, other).plan);
   }
 }
 
@@ -94,7 +109,7 @@ TEST(PlannerTest, AnInstanceThatIsSolvedAlreadyNeedsNoStep) {
   const Instance instance{Grid(2, 2), {{0, 0}}, {{0, 0}}, {}};
   for (const std::string& name : plannerNames()) {
     Rng rng(1);
-    const PlanningResult result = makePlanner(name)->plan(instance, {}, rng);
+    const PlanningResult result = makePlanner(name, randomPolicy())->plan(instance, {}, rng);
     EXPECT_EQ(Outcome::Solved, result.outcome);
     EXPECT_EQ(Plan{instance.starts}, result.plan);
     EXPECT_TRUE(result.social.empty());
@@ -107,7 +122,8 @@ TEST(PlannerTest, SaysWhenThePlanWouldBeTooLong) {
   limits.max_steps = 7;
   for (const std::string& name : plannerNames()) {
     Rng rng(1);
-    EXPECT_EQ(Outcome::StepLimit, makePlanner(name)->plan(instance, limits, rng).outcome);
+    const auto planner = makePlanner(name, randomPolicy());
+    EXPECT_EQ(Outcome::StepLimit, planner->plan(instance, limits, rng).outcome);
   }
 }
 

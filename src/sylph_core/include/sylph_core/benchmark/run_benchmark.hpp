@@ -1,11 +1,13 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "sylph_core/benchmark/evaluation.hpp"
 #include "sylph_core/benchmark/suite.hpp"
+#include "sylph_core/policy/policy.hpp"
 
 namespace sylph {
 
@@ -21,11 +23,13 @@ struct BenchmarkRun {
 };
 
 /// Runs every planner on every case.
+/// @param policy    for the planners that need one, nullptr if none does
 /// @param jobs      cases at a time, > 0; more of them than free cores blur the times
 /// @param progress  told after each run how many are done, never by two threads at once
 /// @return          the runs, planners in order, cases in order
 /// @throws std::invalid_argument as makePlanner()
 std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
+                                       const std::shared_ptr<const Policy>& policy,
                                        const std::vector<BenchmarkCase>& cases,
                                        const PlanningLimits& limits, int jobs,
                                        const std::function<void(std::size_t)>& progress);

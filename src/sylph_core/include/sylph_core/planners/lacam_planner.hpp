@@ -1,18 +1,17 @@
 #pragma once
 
-#include <memory>
 #include <string>
 
-#include "sylph_core/planners/generator_factory.hpp"
+#include "sylph_core/planners/guide.hpp"
 #include "sylph_core/planners/planner.hpp"
 
 namespace sylph {
 
-/// LaCAM over the configurations of a generator, then improvement until the time is up. Complete:
-/// finds a plan if there is one, given the time, and Unsolvable is a proof.
+/// LaCAM over the configurations of a guide's generators, then improvement by distance until the
+/// time is up. Complete: finds a plan if there is one, given the time, and Unsolvable is a proof.
 class LacamPlanner : public Planner {
  public:
-  LacamPlanner(std::string name, GeneratorFactory make_generator);
+  LacamPlanner(std::string name, GuideFactory make_guide);
 
   PlanningResult plan(const Instance& instance, const PlanningLimits& limits,
                       Rng& rng) const override;
@@ -20,7 +19,7 @@ class LacamPlanner : public Planner {
 
  private:
   std::string name_;
-  GeneratorFactory make_generator_;
+  GuideFactory make_guide_;
 };
 
 }  // namespace sylph

@@ -11,6 +11,8 @@
 
 namespace sylph {
 
+class Policy;
+
 /// What a planner may spend.
 struct PlanningLimits {
   double time_limit_s = 5.0;         ///< wall time [s], > 0
@@ -56,7 +58,12 @@ class Planner {
 /// Names that makePlanner() accepts, the default first.
 const std::vector<std::string>& plannerNames();
 
-/// @throws std::invalid_argument naming the allowed names
-std::unique_ptr<Planner> makePlanner(const std::string& name);
+/// Whether a planner goes by a policy network. False for unknown names.
+bool needsPolicy(const std::string& planner_name);
+
+/// @param policy  for planners that need one, ignored by the others
+/// @throws std::invalid_argument naming the allowed names, or that there is no policy
+std::unique_ptr<Planner> makePlanner(const std::string& name,
+                                     std::shared_ptr<const Policy> policy = nullptr);
 
 }  // namespace sylph

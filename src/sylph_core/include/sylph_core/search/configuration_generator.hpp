@@ -12,9 +12,10 @@ class ConfigurationGenerator {
   virtual ~ConfigurationGenerator() = default;
 
   /// All agents in the order in which they choose in a configuration; LaCAM binds agents in the
-  /// same order.
+  /// same order. Called once when a search comes to a configuration, before steps from there.
+  /// @param before  the configuration one timestep earlier, nullptr where the search starts
   /// @param waited  per agent: timesteps since it was last on its goal, 0 where it is on it
-  virtual std::vector<AgentId> order(const Vertices& configuration,
+  virtual std::vector<AgentId> order(const Vertices& configuration, const Vertices* before,
                                      const std::vector<int>& waited) = 0;
 
   /// One step of all agents that keeps to the motion model.

@@ -16,6 +16,8 @@ constexpr AgentId kNoAgent = -1;
 /// A configuration as the searches see it: the vertex of every agent.
 using Vertices = std::vector<VertexId>;
 
+std::uint64_t hashOf(const Vertices& configuration);
+
 /// The free cells of a grid as a 4-connected graph, compact enough to search in.
 class Graph {
  public:

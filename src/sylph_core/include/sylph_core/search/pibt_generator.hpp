@@ -16,7 +16,7 @@ class PibtGenerator : public ConfigurationGenerator {
   ///                     first; equal values fall back to the lower index
   PibtGenerator(Pibt pibt, MoveRanking& ranking, std::vector<double> tie_breaks);
 
-  std::vector<AgentId> order(const Vertices& configuration,
+  std::vector<AgentId> order(const Vertices& configuration, const Vertices* before,
                              const std::vector<int>& waited) override;
   bool generate(const Vertices& from, const std::vector<AgentId>& order, Vertices& to) override;
 

@@ -1,21 +1,21 @@
-#include "sylph_core/planners/pibt_planner.hpp"
+#include "sylph_core/planners/stepwise_planner.hpp"
 
 #include <utility>
 
-#include "sylph_core/planners/social_states.hpp"
 #include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/pibt_generator.hpp"
 
 namespace sylph {
 
-PibtPlanner::PibtPlanner(std::string name, GeneratorFactory make_generator)
-    : name_(std::move(name)), make_generator_(std::move(make_generator)) {}
+StepwisePlanner::StepwisePlanner(std::string name, GuideFactory make_guide)
+    : name_(std::move(name)), make_guide_(std::move(make_guide)) {}
 
-PlanningResult PibtPlanner::plan(const Instance& instance, const PlanningLimits& limits,
-                                 Rng& rng) const {
+PlanningResult StepwisePlanner::plan(const Instance& instance, const PlanningLimits& limits,
+                                     Rng& rng) const {
   const Deadline deadline(limits.time_limit_s);
   const SearchProblem problem(instance);
-  const auto generator = make_generator_(problem, 0, rng);
+  const auto guide = make_guide_(problem, instance, limits.threads, rng);
+  const auto generator = guide->makeGenerator(0);
   std::vector<Vertices> configurations = {problem.starts};
   std::vector<int> waited(problem.starts.size(), 0);
   PlanningResult result;
@@ -29,15 +29,18 @@ PlanningResult PibtPlanner::plan(const Instance& instance, const PlanningLimits&
       result.outcome = Outcome::TimeLimit;
       break;
     }
-    waited = updateWaited(waited, configurations.back(), problem.goals);
+    const Vertices& now = configurations.back();
+    const Vertices* before =
+        configurations.size() > 1 ? &configurations[configurations.size() - 2] : nullptr;
+    waited = updateWaited(waited, now, problem.goals);
     Vertices next(problem.starts.size(), kNoVertex);
-    generator->generate(configurations.back(), generator->order(configurations.back(), waited),
-                        next);
+    generator->generate(now, generator->order(now, before, waited), next);
     configurations.push_back(std::move(next));
   }
   result.plan = problem.graph.toPlan(configurations);
-  result.social = socialStatesOf(problem, instance.grid, result.plan);
+  result.social = guide->socialStates(configurations);
   result.statistics.search_nodes = static_cast<long>(configurations.size());
+  result.statistics.policy_calls = guide->policyCalls();
   result.statistics.total_s = deadline.elapsed();
   result.statistics.first_solution_s = result.statistics.total_s;
   return result;

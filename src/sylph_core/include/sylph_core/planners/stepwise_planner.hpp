@@ -2,16 +2,16 @@
 
 #include <string>
 
-#include "sylph_core/planners/generator_factory.hpp"
+#include "sylph_core/planners/guide.hpp"
 #include "sylph_core/planners/planner.hpp"
 
 namespace sylph {
 
 /// One joint step of a generator after the other until everybody is on its goal. Fast and
 /// incomplete: agents can go round in circles until the step or time limit.
-class PibtPlanner : public Planner {
+class StepwisePlanner : public Planner {
  public:
-  PibtPlanner(std::string name, GeneratorFactory make_generator);
+  StepwisePlanner(std::string name, GuideFactory make_guide);
 
   PlanningResult plan(const Instance& instance, const PlanningLimits& limits,
                       Rng& rng) const override;
@@ -19,7 +19,7 @@ class PibtPlanner : public Planner {
 
  private:
   std::string name_;
-  GeneratorFactory make_generator_;
+  GuideFactory make_guide_;
 };
 
 }  // namespace sylph

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <memory>
+
+#include "sylph_core/planners/guide.hpp"
+#include "sylph_core/policy/policy.hpp"
+#include "sylph_core/policy/policy_rollout.hpp"
+#include "sylph_core/search/policy_ranking.hpp"
+
+namespace sylph {
+
+/// How a policy's joint steps come about.
+enum class PolicyUse {
+  TieBreaking,  ///< everybody chooses, SVO-based tie-breaking takes out the conflicts
+  Pibt,         ///< PIBT, whose agents want what the network says
+  Search,       ///< likewise, by distance instead where a search gets nowhere with it
+};
+
+/// How a planner goes by its policy.
+struct PolicySettings {
+  MoveSettings moves;
+  SvoChoice svo_choice = SvoChoice::Mean;
+};
+
+/// The settings that serve each use best.
+PolicySettings defaultSettings(PolicyUse use);
+
+/// Joint steps, partners and SVOs by the policy network.
+GuideFactory makePolicyGuideFactory(std::shared_ptr<const Policy> policy, PolicyUse use,
+                                    const PolicySettings& settings);
+
+}  // namespace sylph

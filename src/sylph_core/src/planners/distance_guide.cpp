@@ -1,0 +1,39 @@
+#include "sylph_core/planners/guide.hpp"
+#include "sylph_core/search/distance_generator.hpp"
+#include "sylph_core/social/partners.hpp"
+
+namespace sylph {
+namespace {
+
+class DistanceGuide : public Guide {
+ public:
+  DistanceGuide(const SearchProblem& problem, const Instance& instance, Rng& rng)
+      : problem_(&problem), grid_(&instance.grid), rng_(&rng) {}
+
+  std::unique_ptr<ConfigurationGenerator> makeGenerator(int attempt) override {
+    return makeDistanceGenerator(*problem_, attempt, *rng_);
+  }
+
+  std::vector<SocialState> socialStates(const std::vector<Vertices>& plan) override {
+    const auto distance = [this](AgentId agent, const Cell& cell) {
+      return problem_->distances.get(agent, problem_->graph.vertexAt(cell));
+    };
+    return partnersAlongPlan(*grid_, distance, problem_->graph.toPlan(plan));
+  }
+
+  long policyCalls() const override { return 0; }
+
+ private:
+  const SearchProblem* problem_;
+  const Grid* grid_;
+  Rng* rng_;
+};
+
+}  // namespace
+
+std::unique_ptr<Guide> makeDistanceGuide(const SearchProblem& problem, const Instance& instance,
+                                         int /*threads*/, Rng& rng) {
+  return std::make_unique<DistanceGuide>(problem, instance, rng);
+}
+
+}  // namespace sylph

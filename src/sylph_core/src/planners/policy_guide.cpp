@@ -1,0 +1,76 @@
+#include "sylph_core/planners/policy_guide.hpp"
+
+#include <utility>
+
+#include "sylph_core/search/distance_generator.hpp"
+#include "sylph_core/search/policy_generator.hpp"
+#include "sylph_core/search/policy_steps.hpp"
+#include "sylph_core/search/tie_breaking_generator.hpp"
+
+namespace sylph {
+namespace {
+
+constexpr PolicyPatience kPatienceOfSearch = {50, 3, 1'000'000};
+
+class PolicyGuide : public Guide {
+ public:
+  PolicyGuide(std::shared_ptr<const Policy> policy, PolicyUse use, const PolicySettings& settings,
+              const SearchProblem& problem, const Instance& instance, int threads, Rng& rng)
+      : policy_(std::move(policy)),
+        use_(use),
+        settings_(settings),
+        problem_(&problem),
+        grid_(&instance.grid),
+        rng_(&rng),
+        rollout_(*policy_, instance.grid, instance.goals, settings.svo_choice, threads),
+        steps_(rollout_, problem.graph, rng) {}
+
+  std::unique_ptr<ConfigurationGenerator> makeGenerator(int attempt) override {
+    if (use_ == PolicyUse::Search && attempt > 0) {
+      return makeDistanceGenerator(*problem_, attempt - 1, *rng_);
+    }
+    if (use_ == PolicyUse::TieBreaking) {
+      return std::make_unique<TieBreakingGenerator>(*problem_, *grid_, steps_, settings_.moves,
+                                                    *rng_);
+    }
+    return std::make_unique<PolicyGenerator>(
+        *problem_, steps_, settings_.moves,
+        use_ == PolicyUse::Search ? kPatienceOfSearch : PolicyPatience(), *rng_);
+  }
+
+  std::vector<SocialState> socialStates(const std::vector<Vertices>& plan) override {
+    return steps_.along(plan);
+  }
+
+  long policyCalls() const override { return rollout_.calls(); }
+
+ private:
+  std::shared_ptr<const Policy> policy_;
+  PolicyUse use_;
+  PolicySettings settings_;
+  const SearchProblem* problem_;
+  const Grid* grid_;
+  Rng* rng_;
+  PolicyRollout rollout_;
+  PolicySteps steps_;
+};
+
+}  // namespace
+
+PolicySettings defaultSettings(PolicyUse use) {
+  PolicySettings settings;
+  if (use == PolicyUse::TieBreaking) {
+    settings.moves = {0.2, 0.4, 0.4, 1.0, 1.0};
+  }
+  return settings;
+}
+
+GuideFactory makePolicyGuideFactory(std::shared_ptr<const Policy> policy, PolicyUse use,
+                                    const PolicySettings& settings) {
+  return [policy = std::move(policy), use, settings](
+             const SearchProblem& problem, const Instance& instance, int threads, Rng& rng) {
+    return std::make_unique<PolicyGuide>(policy, use, settings, problem, instance, threads, rng);
+  };
+}
+
+}  // namespace sylph

@@ -1,0 +1,148 @@
+#include <gtest/gtest.h>
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "sylph_core/grid/distance_field.hpp"
+#include "sylph_core/grid/generators.hpp"
+#include "sylph_core/mapf/check_plan.hpp"
+#include "sylph_core/mapf/random_instance.hpp"
+#include "sylph_core/planners/planner.hpp"
+#include "sylph_core/social/partners.hpp"
+#include "../search/joint_search.hpp"
+#include "test/support/random_weights.hpp"
+
+namespace sylph {
+namespace {
+
+const std::vector<std::string> kPolicyPlanners = {"sylph", "sylph_pibt", "sylph_lacam"};
+
+std::vector<Grid> oneMapOfEachFamily(Rng& rng) {
+  RandomMapSpec random;
+  random.rows = random.cols = 12;
+  RoomMapSpec room;
+  room.rows = room.cols = 13;
+  room.room_size = 3;
+  MazeMapSpec maze;
+  maze.rows = maze.cols = 13;
+  return {randomMap(random, rng), roomMap(room, rng), mazeMap(maze, rng)};
+}
+
+/// One partner and one SVO per agent and step, as the plan shows where agents are.
+void expectWellFormed(const Instance& instance, const PlanningResult& result) {
+  ASSERT_EQ(result.plan.size() - 1, result.social.size());
+  std::vector<DistanceField> distances;
+  for (const Cell& goal : instance.goals) {
+    distances.emplace_back(instance.grid, goal);
+  }
+  const auto distance = [&](AgentId agent, const Cell& cell) {
+    return distances[static_cast<std::size_t>(agent)].at(cell);
+  };
+  const auto expected = partnersAlongPlan(instance.grid, distance, result.plan);
+  for (std::size_t step = 0; step < result.social.size(); ++step) {
+    SCOPED_TRACE("step " + std::to_string(step));
+    const SocialState& state = result.social[step];
+    EXPECT_EQ(expected[step].partners, state.partners);
+    ASSERT_EQ(instance.starts.size(), state.svo_deg.size());
+    for (std::size_t agent = 0; agent < instance.starts.size(); ++agent) {
+      EXPECT_GE(state.svo_deg[agent], 0.F);
+      EXPECT_LE(state.svo_deg[agent], 45.F);
+      if (result.plan[step][agent] == instance.goals[agent]) {
+        EXPECT_EQ(45.F, state.svo_deg[agent]);
+      }
+    }
+  }
+}
+
+class PolicyPlannersTest : public ::testing::TestWithParam<std::string> {
+ protected:
+  PlanningResult plan(const Instance& instance, std::uint32_t seed,
+                      const std::shared_ptr<const Policy>& policy = randomPolicy()) const {
+    Rng rng(seed);
+    return makePlanner(GetParam(), policy)->plan(instance, limits_, rng);
+  }
+
+  PlanningLimits limits_{30.0, 60, true, 1};
+};
+
+TEST_P(PolicyPlannersTest, GiveLegalPlansAndSocialStatesOnEveryKindOfMap) {
+  for (std::uint32_t seed = 0; seed < 6; ++seed) {
+    Rng rng(seed);
+    for (const Grid& grid : oneMapOfEachFamily(rng)) {
+      SCOPED_TRACE("seed " + std::to_string(seed) + "\n" + grid.toText());
+      const Instance instance = randomInstance(grid, 12, MotionModel{seed % 2 == 0}, rng);
+      const PlanningResult result = plan(instance, seed);
+      const auto violation = checkPlan(instance, result.plan);
+      if (violation) {
+        EXPECT_NE(Outcome::Solved, result.outcome) << violation->message;
+        EXPECT_EQ(ViolationKind::GoalNotReached, violation->kind) << violation->message;
+      }
+      expectWellFormed(instance, result);
+      EXPECT_GE(result.statistics.policy_calls, static_cast<long>(result.social.size()));
+    }
+  }
+}
+
+TEST_P(PolicyPlannersTest, TheSameSeedGivesTheSamePlanWhateverTheThreads) {
+  Rng rng(4);
+  const Instance instance = randomInstance(oneMapOfEachFamily(rng).front(), 40, {}, rng);
+  const PlanningResult first = plan(instance, 9);
+  limits_.threads = 3;
+  const PlanningResult second = plan(instance, 9);
+  EXPECT_EQ(first.plan, second.plan);
+  ASSERT_EQ(first.social.size(), second.social.size());
+  for (std::size_t step = 0; step < first.social.size(); ++step) {
+    EXPECT_EQ(first.social[step].svo_deg, second.social[step].svo_deg);
+  }
+}
+
+TEST_P(PolicyPlannersTest, CountTheNetworksCalls) {
+  const Instance alone{Grid(1, 6), {{0, 0}}, {{0, 5}}, {}};
+  const PlanningResult result = plan(alone, 1);
+  const long steps = static_cast<long>(result.plan.size()) - 1;
+  if (GetParam() == "sylph_lacam") {
+    EXPECT_LE(result.statistics.policy_calls, steps + 1);  // comes to the goals' configuration too
+  } else {
+    EXPECT_EQ(steps, result.statistics.policy_calls);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(All, PolicyPlannersTest, ::testing::ValuesIn(kPolicyPlanners));
+
+void expectSolvedExactlyIfSolvable(bool rotations) {
+  PlanningLimits limits;
+  limits.first_solution_only = true;
+  limits.time_limit_s = 60.0;
+  int solvable_count = 0;
+  constexpr int kInstances = 200;
+  for (std::uint32_t seed = 0; seed < kInstances; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    // Weights so large that they overrule the distance, other ones for each instance.
+    const auto policy = std::make_shared<const Policy>(
+        RandomWeights(smallShape(), seed, 5.0).file(), "large weights");
+    Rng rng(seed);
+    const Instance instance = crowdedInstance(4, rotations, rng);
+    const bool is_solvable = leastCostByJointSearch(instance).has_value();
+    const PlanningResult result = makePlanner("sylph_lacam", policy)->plan(instance, limits, rng);
+    ASSERT_EQ(is_solvable ? Outcome::Solved : Outcome::Unsolvable, result.outcome)
+        << instance.grid.toText();
+    Rng other_rng(seed);
+    EXPECT_EQ(makePlanner("lacam")->plan(instance, limits, other_rng).outcome, result.outcome);
+    if (is_solvable) {
+      ++solvable_count;
+      const auto violation = checkPlan(instance, result.plan);
+      ASSERT_FALSE(violation.has_value()) << violation->message;
+    }
+  }
+  EXPECT_GT(solvable_count, kInstances / 4);
+  EXPECT_LT(solvable_count, kInstances * 3 / 4);
+}
+
+TEST(SylphLacamTest, SolvesExactlyTheSolvableWhateverTheWeights) {
+  expectSolvedExactlyIfSolvable(false);
+  expectSolvedExactlyIfSolvable(true);
+}
+
+}  // namespace
+}  // namespace sylph
