@@ -18,14 +18,16 @@ as_root() {
   if [ "$(id -u)" -eq 0 ]; then "$@"; else sudo "$@"; fi
 }
 
-# Installs what packages.apt lists and the machine lacks.
+# Installs what packages.apt lists and the machine lacks: install_packages run|test
 install_packages() {
   if [ -e /opt/ros/noetic/setup.bash ]; then
     rosdep install --from-paths src --ignore-src -y || die "rosdep could not install the dependencies"
     return
   fi
-  local missing
-  missing=$(sed 's/#.*//' packages.apt | xargs -n1 |
+  local wanted missing
+  wanted=$(cat packages.apt)
+  [ "$1" = test ] || wanted=$(sed '/^# testing$/,$d' packages.apt)
+  missing=$(sed 's/#.*//' <<<"$wanted" | xargs -n1 |
     while read -r package; do
       dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'ok installed' || echo "$package"
     done)
