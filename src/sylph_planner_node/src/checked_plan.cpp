@@ -25,7 +25,8 @@ TimedResult runPlanner(const Mission& mission, const sylph::Instance& instance) 
   sylph::Rng rng(mission.seed);
   const auto begin = std::chrono::steady_clock::now();
   try {
-    sylph::PlanningResult result = sylph::makePlanner(mission.planner)->plan(instance, limits, rng);
+    const auto planner = sylph::makePlanner(mission.planner, mission.policy);
+    sylph::PlanningResult result = planner->plan(instance, limits, rng);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     return {std::move(result), took.count()};
   } catch (const std::exception& error) {

@@ -113,6 +113,11 @@ Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab
   mission.time_limit_s = goal.time_limit_s == 0.0 ? lab.planning.time_limit_s : goal.time_limit_s;
   mission.seed = goal.seed;
   requirePlanner(mission);
+  try {
+    mission.policy = sylph::loadPolicyFor(mission.planner, lab.planning.weights_path);
+  } catch (const std::exception& error) {
+    refuse(error.what());
+  }
   return mission;
 }
 

@@ -41,9 +41,9 @@ ClientOptions loadClientOptions(const ros::NodeHandle& private_nh) {
   sylph_ros::requirePositive(private_nh, "start_timeout_s", options.start_timeout_s);
   sylph_ros::requirePositive(private_nh, "progress_period_s", options.progress_period_s);
   sylph_ros::requirePositive(private_nh, "report_wait_s", options.report_wait_s);
-  sylph_ros::requireKnown(private_nh,
-                          {"experiment", "seed", "planner", "run_folder", "exit_when_done",
-                           "start_timeout_s", "progress_period_s", "report_wait_s"});
+  sylph_ros::requireKnown(
+      private_nh, {"experiment", "seed", "planner", "weights", "run_folder", "exit_when_done",
+                   "start_timeout_s", "progress_period_s", "report_wait_s"});
   return options;
 }
 
@@ -51,7 +51,10 @@ MissionClient::MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_
     : nh_(nh),
       options_(loadClientOptions(private_nh)),
       experiment_(sylph_ros::loadExperiment(private_nh)),
-      client_(nh_, sylph_ros::kExecuteMissionAction, false) {}
+      client_(nh_, sylph_ros::kExecuteMissionAction, false) {
+  // The planner refuses such weights too, but nobody would hear of it before the time-out.
+  sylph::loadPolicyFor(experiment_.planning.planner, experiment_.planning.weights_path);
+}
 
 bool MissionClient::run() {
   const Clock::time_point deadline = Clock::now() + seconds(options_.start_timeout_s);

@@ -43,6 +43,8 @@ PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
                                           this, ros::TransportHints().tcpNoDelay())),
       server_(nh_, sylph_ros::kExecuteMissionAction, false),
       diagnostics_(nh_, private_nh) {
+  // Weights of no use are refused now rather than with the first mission.
+  sylph::loadPolicyFor(lab_.planning.planner, lab_.planning.weights_path);
   mission_.grid = lab_.grid;
   mission_.cell_size_m = lab_.cell_size_m;
   publishMap();

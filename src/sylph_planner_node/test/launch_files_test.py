@@ -115,6 +115,14 @@ class LaunchFilesTest(unittest.TestCase):
             "/somewhere/lab.yaml", value_of(config, "/sylph/sylph_planner/experiment")
         )
 
+    def test_weights_are_found_from_the_root_of_the_suite(self):
+        for node in ["sylph_planner", "sylph_mission"]:
+            parameter = "/sylph/{}/weights".format(node)
+            self.assertEqual("", value_of(load(LAB), parameter))
+            found = value_of(load(LAB, weights="weights/w.safetensors"), parameter)
+            self.assertEqual(os.path.join(ROOT, "weights/w.safetensors"), os.path.realpath(found))
+            self.assertEqual("/w.safetensors", value_of(load(LAB, weights="/w.safetensors"), parameter))
+
     def test_real_robots_know_no_speed_factor(self):
         simulated = load(LAB, speed=4)
         self.assertTrue(value_of(simulated, "/use_sim_time"))

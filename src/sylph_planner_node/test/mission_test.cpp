@@ -29,6 +29,15 @@ TEST(ReadMissionTest, TakesWhatTheRequestNamesAndTheLabsDefaults) {
   EXPECT_EQ(smallLab().grid, mission.grid);
 }
 
+TEST(ReadMissionTest, NamesTheWeightFileThatItCannotRead) {
+  ExecuteMissionGoal goal = toGoal(smallLab());
+  goal.planner = "sylph";
+  sylph::Experiment lab = smallLab();
+  lab.planning.weights_path = "/nowhere.safetensors";
+  const std::string failure = failureOf([&] { readMission(goal, lab); });
+  EXPECT_EQ(0U, failure.find("1: /nowhere.safetensors: ")) << failure;
+}
+
 TEST(ReadMissionTest, TakesSomeOfTheRobots) {
   ExecuteMissionGoal goal = toGoal(smallLab());
   goal.robots = {"robot_2"};
@@ -57,40 +66,41 @@ TEST_P(BadRequestTest, IsRefusedWithOneClearLine) {
 
 INSTANTIATE_TEST_SUITE_P(
     Requests, BadRequestTest,
-    testing::Values(BadRequest{"NoRobot", [](ExecuteMissionGoal& g) { g.robots.clear(); },
-                               "at least one robot"},
-                    BadRequest{"FewerGoals", [](ExecuteMissionGoal& g) { g.goals.pop_back(); },
-                               "3 robots but 2 goals"},
-                    BadRequest{"UnknownRobot",
-                               [](ExecuteMissionGoal& g) { g.robots[1] = "robot_9"; },
-                               "unknown robot 'robot_9'"},
-                    BadRequest{"RobotTwice", [](ExecuteMissionGoal& g) { g.robots[1] = "robot_0"; },
-                               "robot robot_0 is named twice"},
-                    BadRequest{"MissingMap", [](ExecuteMissionGoal& g) { g.map = "/nowhere.map"; },
-                               "/nowhere.map"},
-                    BadRequest{"OtherMapSize",
-                               [](ExecuteMissionGoal& g) {
-                                 g.map = std::string(SYLPH_TEST_DATA) + "/other_size.map";
-                               },
-                               "3 x 4 cells"},
-                    BadRequest{"OtherCellSize", [](ExecuteMissionGoal& g) { g.cell_size_m = 0.5; },
-                               "cell_size_m 0.5"},
-                    BadRequest{"CellSizeNotANumber",
-                               [](ExecuteMissionGoal& g) { g.cell_size_m = NAN; }, "cell_size_m"},
-                    BadRequest{"GoalOutside", [](ExecuteMissionGoal& g) { g.goals[0].row = 3; },
-                               "goal (3,4) of robot_0 lies outside"},
-                    BadRequest{"GoalOnObstacle",
-                               [](ExecuteMissionGoal& g) {
-                                 g.goals[1].row = 1;
-                                 g.goals[1].col = 2;
-                               },
-                               "goal (1,2) of robot_1 lies on an obstacle"},
-                    BadRequest{"GoalTwice", [](ExecuteMissionGoal& g) { g.goals[2] = g.goals[0]; },
-                               "goal (0,4) of robot_2 is also the goal of robot_0"},
-                    BadRequest{"UnknownPlanner", [](ExecuteMissionGoal& g) { g.planner = "magic"; },
-                               "unknown planner 'magic'"},
-                    BadRequest{"NegativeTime", [](ExecuteMissionGoal& g) { g.time_limit_s = -1.0; },
-                               "time_limit_s"}),
+    testing::Values(
+        BadRequest{"NoRobot", [](ExecuteMissionGoal& g) { g.robots.clear(); },
+                   "at least one robot"},
+        BadRequest{"FewerGoals", [](ExecuteMissionGoal& g) { g.goals.pop_back(); },
+                   "3 robots but 2 goals"},
+        BadRequest{"UnknownRobot", [](ExecuteMissionGoal& g) { g.robots[1] = "robot_9"; },
+                   "unknown robot 'robot_9'"},
+        BadRequest{"RobotTwice", [](ExecuteMissionGoal& g) { g.robots[1] = "robot_0"; },
+                   "robot robot_0 is named twice"},
+        BadRequest{"MissingMap", [](ExecuteMissionGoal& g) { g.map = "/nowhere.map"; },
+                   "/nowhere.map"},
+        BadRequest{
+            "OtherMapSize",
+            [](ExecuteMissionGoal& g) { g.map = std::string(SYLPH_TEST_DATA) + "/other_size.map"; },
+            "3 x 4 cells"},
+        BadRequest{"OtherCellSize", [](ExecuteMissionGoal& g) { g.cell_size_m = 0.5; },
+                   "cell_size_m 0.5"},
+        BadRequest{"CellSizeNotANumber", [](ExecuteMissionGoal& g) { g.cell_size_m = NAN; },
+                   "cell_size_m"},
+        BadRequest{"GoalOutside", [](ExecuteMissionGoal& g) { g.goals[0].row = 3; },
+                   "goal (3,4) of robot_0 lies outside"},
+        BadRequest{"GoalOnObstacle",
+                   [](ExecuteMissionGoal& g) {
+                     g.goals[1].row = 1;
+                     g.goals[1].col = 2;
+                   },
+                   "goal (1,2) of robot_1 lies on an obstacle"},
+        BadRequest{"GoalTwice", [](ExecuteMissionGoal& g) { g.goals[2] = g.goals[0]; },
+                   "goal (0,4) of robot_2 is also the goal of robot_0"},
+        BadRequest{"UnknownPlanner", [](ExecuteMissionGoal& g) { g.planner = "magic"; },
+                   "unknown planner 'magic'"},
+        BadRequest{"NoWeights", [](ExecuteMissionGoal& g) { g.planner = "sylph_lacam"; },
+                   "planner 'sylph_lacam' needs the weights of a policy"},
+        BadRequest{"NegativeTime", [](ExecuteMissionGoal& g) { g.time_limit_s = -1.0; },
+                   "time_limit_s"}),
     [](const testing::TestParamInfo<BadRequest>& param) { return param.param.name; });
 
 }  // namespace

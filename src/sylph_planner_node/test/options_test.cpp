@@ -55,5 +55,17 @@ TEST(OptionsTest, ANodeWithoutExperimentExitsWithFailure) {
   }
 }
 
+TEST(OptionsTest, ANodeWhoseWeightsCannotBeReadExitsWithFailure) {
+  const std::string weights = SYLPH_TEST_DATA "/small.map";
+  for (const std::string executable : {SYLPH_PLANNER_EXECUTABLE, SYLPH_MISSION_EXECUTABLE}) {
+    const std::string command = executable +
+                                " __name:=bad _planner:=sylph_lacam _weights:=" + weights +
+                                " _experiment:=" + SYLPH_TEST_DATA "/small_lab.yaml";
+    const int status = std::system(command.c_str());
+    ASSERT_TRUE(WIFEXITED(status)) << command;
+    EXPECT_EQ(EXIT_FAILURE, WEXITSTATUS(status)) << command;
+  }
+}
+
 }  // namespace
 }  // namespace sylph_planner_node

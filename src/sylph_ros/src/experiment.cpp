@@ -19,6 +19,11 @@ sylph::Experiment loadExperiment(const ros::NodeHandle& private_nh) {
   if (!planner.empty()) {
     overrides.planner = planner;
   }
+  std::string weights;
+  read(private_nh, "weights", weights);
+  if (!weights.empty()) {
+    overrides.weights_path = weights;
+  }
   return sylph::loadExperiment(readRequiredString(private_nh, "experiment"), overrides);
 }
 

@@ -76,9 +76,12 @@ std::vector<RobotSpec> readRobots(const YamlMap& yaml, bool has_random_starts,
 }
 
 PlanningSpec readPlanning(const YamlMap& yaml) {
-  yaml.requireOnly({"planner", "time_limit_s"});
+  yaml.requireOnly({"planner", "weights", "time_limit_s"});
   PlanningSpec spec;
   spec.planner = yaml.word("planner", plannerNames(), spec.planner);
+  if (yaml.has("weights")) {
+    spec.weights_path = resolvePath(yaml.path(), yaml.text("weights"));
+  }
   spec.time_limit_s = yaml.number("time_limit_s", spec.time_limit_s, Range::positive());
   return spec;
 }
@@ -178,6 +181,9 @@ Experiment loadExperiment(const std::string& path, const ExperimentOverrides& ov
   if (overrides.planner) {
     requireKnownPlanner(*overrides.planner);
     experiment.planning.planner = *overrides.planner;
+  }
+  if (overrides.weights_path) {
+    experiment.planning.weights_path = *overrides.weights_path;
   }
   if (const auto execution = yaml.map("execution")) {
     experiment.execution = readExecution(*execution);

@@ -44,6 +44,17 @@ bool needsPolicy(const std::string& planner_name) {
   return policyUses().count(planner_name) > 0;
 }
 
+std::shared_ptr<const Policy> loadPolicyFor(const std::string& planner_name,
+                                            const std::string& weights_path) {
+  if (!needsPolicy(planner_name)) {
+    return nullptr;
+  }
+  if (weights_path.empty()) {
+    throw std::invalid_argument("planner '" + planner_name + "' needs the weights of a policy");
+  }
+  return std::make_shared<const Policy>(Policy::load(weights_path));
+}
+
 std::unique_ptr<Planner> makePlanner(const std::string& name,
                                      std::shared_ptr<const Policy> policy) {
   if (name == "lacam") {

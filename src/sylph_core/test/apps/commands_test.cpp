@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "test/support/random_weights.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph {
@@ -187,6 +188,43 @@ TEST_F(CommandsTest, BadPlanFilesAreOneLineAndStatusTwo) {
   expectPlan(":1: ' x': must be", "0 x");
   expectRefused("/none.txt: there is no such file",
                 "check" + instance() + " " + folder_.path("none.txt"));
+}
+
+TEST_F(CommandsTest, PlannersWithAPolicyTakeWeights) {
+  saveTensorFile(RandomWeights(smallShape(), 2).file(), folder_.path("w.safetensors"));
+  const std::string weights = " --weights " + folder_.path("w.safetensors");
+  const CommandResult planned =
+      run("plan --planner sylph_lacam --first --json" + instance() + weights);
+  ASSERT_EQ(0, planned.status) << planned.output;
+  EXPECT_GT(nlohmann::json::parse(planned.output)["policy_calls"].get<int>(), 0);
+  const std::string suite = folder_.write(
+      "suite.yaml",
+      "first: true\nmax_steps: 20\nfamilies: [{name: a, agents: [2], map: a.map, scenarios: "
+      "[a.scen]}]\n");
+  const CommandResult compared =
+      run("benchmark " + suite + " --planner sylph --planner lacam" + weights);
+  EXPECT_EQ(0, compared.status) << compared.output;
+}
+
+TEST_F(CommandsTest, BadWeightsAreOneLineAndStatusTwo) {
+  const auto expectWeights = [&](const std::string& error) {
+    const std::string weights = " --weights " + folder_.path("w.safetensors");
+    expectRefused("/w.safetensors: " + error, "plan --planner sylph_pibt" + instance() + weights);
+    const std::string suite = folder_.write(
+        "suite.yaml", "families: [{name: a, agents: [1], map: a.map, scenarios: [a.scen]}]\n");
+    expectRefused("/w.safetensors: " + error, "benchmark " + suite + " --planner sylph" + weights);
+  };
+  expectWeights("cannot be opened");
+  folder_.write("w.safetensors", "nothing");
+  expectWeights("");
+  TensorFile file = RandomWeights(smallShape(), 2).file();
+  file.metadata["channels"] = "9";
+  saveTensorFile(file, folder_.path("w.safetensors"));
+  expectWeights("metadata 'channels' is '9': must be '21'");
+  file = RandomWeights(smallShape(), 2).file();
+  file.tensors["goal.bias"].shape = {2, 2};
+  saveTensorFile(file, folder_.path("w.safetensors"));
+  expectWeights("tensor 'goal.bias' has the shape [2, 2]: must be [4]");
 }
 
 TEST_F(CommandsTest, GenerateMapWritesWhatPlanReads) {

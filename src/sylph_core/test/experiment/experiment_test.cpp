@@ -18,7 +18,7 @@ seed: 7
 robots:
   - {name: robot_0, start: [0, 0], goal: [1, 1]}
   - {name: robot_1, rigid_body: Base 1, footprint_m: [0.4, 0.35], start: [0, 1], goal: [0, 0]}
-planning: {planner: pibt, time_limit_s: 2.5}
+planning: {planner: pibt, time_limit_s: 2.5, weights: w.safetensors}
 execution: {speed_limit_mps: 0.4, command_latency_s: 0}
 )";
 
@@ -69,6 +69,7 @@ TEST_F(ExperimentTest, ReadsEveryField) {
   EXPECT_EQ((Cell{0, 1}), experiment.robots[1].start);
   EXPECT_EQ((Cell{1, 1}), experiment.robots[0].goal);
   EXPECT_EQ("pibt", experiment.planning.planner);
+  EXPECT_EQ(folder_.path("w.safetensors"), experiment.planning.weights_path);
   EXPECT_DOUBLE_EQ(2.5, experiment.planning.time_limit_s);
   EXPECT_DOUBLE_EQ(0.4, experiment.execution.speed_limit_mps);
   EXPECT_DOUBLE_EQ(0.0, experiment.execution.command_latency_s);
@@ -86,6 +87,9 @@ TEST_F(ExperimentTest, OverridesTakeThePlaceOfTheFilesSettings) {
   EXPECT_EQ(cellsOf(3).goals, cellsOf(3).goals);
   EXPECT_NE(cellsOf(3).starts, cellsOf(4).starts);
   EXPECT_EQ("pibt", loadExperiment(path, {std::nullopt, "pibt"}).planning.planner);
+  const Experiment other = loadExperiment(path, {std::nullopt, "sylph", "/w.safetensors"});
+  EXPECT_EQ("/w.safetensors", other.planning.weights_path);
+  EXPECT_EQ("", loadExperiment(path).planning.weights_path);
   expectError("planner 'astar': must be one of " + allPlanners(), [&] {
     loadExperiment(path, {std::nullopt, "astar"});
   });
@@ -124,8 +128,8 @@ TEST_F(ExperimentTest, NamesTheFieldThatIsWrong) {
   expectRefused(":8: planning.planner: is 'astar', must be one of " + allPlanners(), "pibt",
                 "astar");
   expectRefused(":8: planning.time_limit_s: is '0', must be a number > 0", "2.5", "0");
-  expectRefused(":8: planning: is '5', must be a mapping", "{planner: pibt, time_limit_s: 2.5}",
-                "5");
+  expectRefused(":8: planning: is '5', must be a mapping",
+                "{planner: pibt, time_limit_s: 2.5, weights: w.safetensors}", "5");
   expectRefused(":9: execution.speed_limit_mps: is '.inf', must be a number > 0", "mps: 0.4",
                 "mps: .inf");
   expectRefused(":9: execution.command_latency_s: is '-1', must be a number >= 0", "s: 0}",

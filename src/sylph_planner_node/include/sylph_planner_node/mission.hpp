@@ -3,6 +3,7 @@
 #include <sylph_msgs/ExecuteMissionAction.h>
 
 #include <cstdint>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/grid/grid.hpp"
 #include "sylph_core/mapf/types.hpp"
+#include "sylph_core/policy/policy.hpp"
 
 namespace sylph_planner_node {
 
@@ -32,6 +34,7 @@ struct Mission {
   std::vector<std::string> robots;
   sylph::Configuration goals;  ///< one per robot, free and distinct
   std::string planner;
+  std::shared_ptr<const sylph::Policy> policy;  ///< for planners that need one
   double time_limit_s = 0.0;
   std::uint32_t seed = 0;
 
@@ -39,7 +42,8 @@ struct Mission {
   std::size_t indexOf(const std::string& robot) const;
 };
 
-/// Reads a request and its map, and fills in the lab's planner and time limit where it names none.
+/// Reads a request, its map and the weights that its planner needs, and fills in the lab's planner
+/// and time limit where it names none.
 ///
 /// Robots must be robots of the lab. The map must have the size of the lab's map and its cells,
 /// because the other nodes turn cells into metres by the lab's; its obstacles may differ.

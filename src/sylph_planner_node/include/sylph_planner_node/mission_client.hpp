@@ -27,7 +27,7 @@ ClientOptions loadClientOptions(const ros::NodeHandle& private_nh);
 /// Sends the mission of an experiment, tells people how it goes and how it ended.
 class MissionClient {
  public:
-  /// @throws std::runtime_error on a bad parameter or experiment
+  /// @throws std::runtime_error on a bad parameter, experiment or weight file
   MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_nh);
 
   /// Runs the whole mission. Callbacks must be served by another thread.

@@ -29,7 +29,7 @@ namespace sylph_planner_node {
 /// All callbacks run in one thread. A mission passes through the stages below, moved on by tick().
 class PlannerNode {
  public:
-  /// @throws std::runtime_error on a bad parameter or experiment
+  /// @throws std::runtime_error on a bad parameter, experiment or weight file
   PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh);
 
  private:

@@ -37,6 +37,7 @@ struct ExecutionSpec {
 
 struct PlanningSpec {
   std::string planner = "lacam";
+  std::string weights_path;   ///< of the policy, absolute; empty: none
   double time_limit_s = 5.0;  ///< > 0
 };
 
@@ -57,6 +58,7 @@ struct Experiment {
 struct ExperimentOverrides {
   std::optional<std::uint32_t> seed;  ///< redraws what the file calls `random`
   std::optional<std::string> planner;
+  std::optional<std::string> weights_path = std::nullopt;
 };
 
 /// Reads an experiment file (YAML) and its map.
@@ -70,9 +72,10 @@ struct ExperimentOverrides {
 ///     robots:                      # required, one or more
 ///       - {name: robot_0, rigid_body: robot_0, footprint_m: [0.23, 0.20],
 ///          start: [0, 1], goal: [4, 2]}
-///     planning: {planner: lacam, time_limit_s: 5.0}
+///     planning: {planner: lacam, weights: sylph.safetensors, time_limit_s: 5.0}
 ///     execution: {speed_limit_mps: 0.25}  # and the other members of ExecutionSpec
 ///
+/// Weights are taken from the experiment file's folder and are read by who plans with them.
 /// Of a robot only `name` is required, and `start` and `goal` exactly where they are explicit. What
 /// is left out keeps the default of the structs above. Starts and goals satisfy requireValid().
 ///

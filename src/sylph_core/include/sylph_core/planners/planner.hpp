@@ -61,6 +61,12 @@ const std::vector<std::string>& plannerNames();
 /// Whether a planner goes by a policy network. False for unknown names.
 bool needsPolicy(const std::string& planner_name);
 
+/// The policy that a planner needs, nullptr if it needs none.
+/// @throws std::invalid_argument if it needs one and the path is empty
+/// @throws std::runtime_error as Policy::load()
+std::shared_ptr<const Policy> loadPolicyFor(const std::string& planner_name,
+                                            const std::string& weights_path);
+
 /// @param policy  for planners that need one, ignored by the others
 /// @throws std::invalid_argument naming the allowed names, or that there is no policy
 std::unique_ptr<Planner> makePlanner(const std::string& name,
