@@ -60,7 +60,7 @@ class PolicyGuide : public Guide {
 PolicySettings defaultSettings(PolicyUse use) {
   PolicySettings settings;
   if (use == PolicyUse::TieBreaking) {
-    settings.moves = {0.2, 0.4, 0.4, 1.0, 1.0};
+    settings.moves = {0.0, 0.0, 1.0, 1.0, 1.0};  // draws from the policy
   }
   return settings;
 }

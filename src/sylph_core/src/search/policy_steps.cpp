@@ -45,7 +45,11 @@ std::vector<const PolicySteps::Entry*> PolicySteps::entriesAlong(
 std::vector<SocialState> PolicySteps::along(const std::vector<Vertices>& plan) {
   std::vector<const Entry*> entries = entriesAlong(plan);
   for (std::size_t timestep = entries.size(); timestep + 1 < plan.size(); ++timestep) {
-    entries.push_back(&enter(plan[timestep], timestep == 0 ? nullptr : &plan[timestep - 1]));
+    const Entry* before = timestep == 0 ? nullptr : entries.back();
+    const Entry* known = find(plan[timestep]);
+    entries.push_back(known != nullptr && known->before == before
+                          ? known
+                          : &enter(plan[timestep], timestep == 0 ? nullptr : &plan[timestep - 1]));
   }
   std::vector<SocialState> states;
   states.reserve(entries.size());
