@@ -28,6 +28,7 @@ class FaultCasesTest(unittest.TestCase):
             "stuck", "slow", "dead", "deaf", "drift", "lost", "nan", "frozen", "yaw_flip", "jump", "swap", "silent"
         })
         self.assertTrue(any(case.get("kills") for case in cases))
+        self.assertTrue(any(case.get("pauses") for case in cases))
         self.assertEqual(len(cases), len({case["name"] for case in cases}))
 
     def test_picks_cases_by_name(self):
@@ -43,6 +44,8 @@ class FaultCasesTest(unittest.TestCase):
         self.assert_refused("- {name: a, expect: safe, faults: [{kind: lost}]}", "must have kind and at_s")
         self.assert_refused("- {name: a, expect: safe, faults: [{kind: lost, at_s: 1, till: 2}]}", "till: unknown")
         self.assert_refused("- {name: a, expect: safe, kills: [{at_s: 1}]}", "must have node and at_s")
+        self.assert_refused("- {name: a, expect: safe, pauses: [{node: b, at_s: 1}]}",
+                            "must have node and at_s and duration_s")
 
     def test_arriving_without_contact_passes(self):
         self.assertEqual("", judge({"expect": "arrives"}, GOOD_REPORT))

@@ -16,6 +16,7 @@ CASE = {
         {"kind": "jump", "robots": ["{busy}"], "at_s": 5.0, "duration_s": 0.5},
         {"kind": "stuck", "robots": ["{near}"], "at_s": 6.0, "duration_s": 2.0},
     ],
+    "pauses": [{"node": "/{busy}/.*", "at_s": 8.0, "duration_s": 0.5}],
     "kills": [{"node": "/sylph/sylph_adg_central", "at_s": 9.0}],
 }
 

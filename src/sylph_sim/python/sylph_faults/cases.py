@@ -1,9 +1,10 @@
 """Cases of a fault campaign: what goes wrong in a run, and what is expected of it."""
 import yaml
 
-CASE_KEYS = {"name", "expect", "faults", "kills"}
+CASE_KEYS = {"name", "expect", "faults", "kills", "pauses"}
 FAULT_KEYS = {"kind", "robots", "at_s", "duration_s", "value"}
 KILL_KEYS = {"node", "at_s"}
+PAUSE_KEYS = {"node", "at_s", "duration_s"}
 EXPECTATIONS = ("arrives", "safe")
 
 
@@ -13,16 +14,18 @@ def check_case(case):
         raise ValueError(f"case {case}: must have a name")
     name = f"case {case['name']}"
     for keys, allowed in [(case, CASE_KEYS)] + [(fault, FAULT_KEYS) for fault in case.get("faults", [])] + \
-            [(kill, KILL_KEYS) for kill in case.get("kills", [])]:
+            [(kill, KILL_KEYS) for kill in case.get("kills", [])] + \
+            [(pause, PAUSE_KEYS) for pause in case.get("pauses", [])]:
         unknown = sorted(set(keys) - allowed)
         if unknown:
             raise ValueError(f"{name}: {unknown[0]}: unknown; allowed are {', '.join(sorted(allowed))}")
     if case.get("expect") not in EXPECTATIONS:
         raise ValueError(f"{name}: expect {case.get('expect')}: must be one of {', '.join(EXPECTATIONS)}")
-    for key, required in (("faults", "kind"), ("kills", "node")):
+    for key, required, times in (("faults", "kind", ["at_s"]), ("kills", "node", ["at_s"]),
+                                 ("pauses", "node", ["at_s", "duration_s"])):
         for event in case.get(key, []):
-            if required not in event or not isinstance(event.get("at_s"), (int, float)):
-                raise ValueError(f"{name}: {key}: {event}: must have {required} and at_s")
+            if required not in event or not all(isinstance(event.get(time), (int, float)) for time in times):
+                raise ValueError(f"{name}: {key}: {event}: must have {' and '.join([required, *times])}")
 
 
 def load_cases(path, names=()):

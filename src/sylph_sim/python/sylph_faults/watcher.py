@@ -23,7 +23,8 @@ class Watcher:
 
     def __init__(self, case):
         self._faults = sorted(case.get("faults", []), key=lambda fault: fault["at_s"])
-        self._kills = sorted(case.get("kills", []), key=lambda kill: kill["at_s"])
+        self._signals = signals_of(case)
+        self._paused = {}
         self._starts = None
         self._began_s = None
         self._truth = None
@@ -50,7 +51,7 @@ class Watcher:
                 continue
             self._act()
             if self._is_finished:
-                outcome = "the run was over before the fault" if self._faults or self._kills else "arrived"
+                outcome = "the run was over before the fault" if self._faults or self._signals else "arrived"
                 break
             if self._truth.header.stamp.to_sec() - self._progress_s > QUIET_S:
                 outcome = "held"
@@ -84,8 +85,17 @@ class Watcher:
             answer = self._inject(fault["kind"], robots, 0.0, fault.get("duration_s", 0.0), fault.get("value", 0.0))
             if not answer.success:
                 raise ValueError(answer.message)
-        while self._kills and self._elapsed_s() >= self._kills[0]["at_s"]:
-            kill_nodes(self._cast(self._kills.pop(0)["node"]))
+        while self._signals and self._elapsed_s() >= self._signals[0][0]:
+            _, node, number = self._signals.pop(0)
+            self._send(node, number)
+
+    def _send(self, node, number):
+        # A node that is paused does not tell its process.
+        processes = self._paused.pop(node) if number == signal.SIGCONT else processes_of(self._cast(node))
+        for process in processes:
+            os.kill(process, number)
+        if number == signal.SIGSTOP:
+            self._paused[node] = processes
 
     def _cast(self, text):
         """The text with roles in braces replaced by names of robots; they stay the same for the whole run.
@@ -114,8 +124,20 @@ class Watcher:
         }
 
 
-def kill_nodes(pattern):
-    """Ends every node of this machine whose full name the pattern matches, without warning (SIGKILL).
+def signals_of(case):
+    """The signals that a case sends: (time, pattern of the nodes' full names, number), by time.
+
+    A kill is a SIGKILL; a pause is a SIGSTOP and then a SIGCONT, as if a node got no processor time.
+    """
+    signals = [(kill["at_s"], kill["node"], signal.SIGKILL) for kill in case.get("kills", [])]
+    for pause in case.get("pauses", []):
+        signals.append((pause["at_s"], pause["node"], signal.SIGSTOP))
+        signals.append((pause["at_s"] + pause["duration_s"], pause["node"], signal.SIGCONT))
+    return sorted(signals)
+
+
+def processes_of(pattern):
+    """The processes of all nodes of this machine whose full name the pattern matches.
 
     Raises ValueError if there is none.
     """
@@ -124,7 +146,5 @@ def kill_nodes(pattern):
     names = {node for topics in system for _, nodes in topics for node in nodes if re.fullmatch(pattern, node)}
     if not names:
         raise ValueError(f"no node matches {pattern}")
-    for name in names:
-        _, _, uri = master.lookupNode(name)
-        _, _, pid = xmlrpc.client.ServerProxy(uri).getPid(rospy.get_name())
-        os.kill(pid, signal.SIGKILL)
+    uris = [master.lookupNode(name)[2] for name in names]
+    return [xmlrpc.client.ServerProxy(uri).getPid(rospy.get_name())[2] for uri in uris]
