@@ -155,11 +155,18 @@ PolicyOutput PolicyModelImpl::decide(const torch::Tensor& features, const torch:
 }
 
 torch::Tensor PolicyModelImpl::encode(const torch::Tensor& views) {
-  torch::Tensor image = torch::relu(conv1_->forward(views));
-  image = torch::relu(conv2_->forward(image));
-  image = torch::relu(conv3_->forward(image));
-  image = torch::relu(conv4_->forward(image));
-  return torch::relu(view_out_->forward(image.flatten(1)));
+  const auto convolve = [this](const nn::Conv2d& layer, const torch::Tensor& image) {
+    return torch::relu(torch::conv2d(image, layer->weight.to(encoder_type_),
+                                     layer->bias.to(encoder_type_), layer->options.stride(),
+                                     /*padding=*/1));
+  };
+  torch::Tensor image = convolve(conv1_, views.to(encoder_type_));
+  image = convolve(conv2_, image);
+  image = convolve(conv3_, image);
+  image = convolve(conv4_, image);
+  const torch::Tensor flat = torch::nn::functional::linear(
+      image.flatten(1), view_out_->weight.to(encoder_type_), view_out_->bias.to(encoder_type_));
+  return torch::relu(flat).to(torch::kFloat);
 }
 
 torch::Tensor PolicyModelImpl::communicate(const PolicyInput& input) {

@@ -1,0 +1,51 @@
+#include <gtest/gtest.h>
+
+#include "sylph_training/imitation_phase.hpp"
+#include "test/support/temporary_folder.hpp"
+
+namespace sylph_training {
+namespace {
+
+/// What is wrong with a configuration, empty if nothing.
+std::string errorOf(const std::string& text) {
+  const sylph::TemporaryFolder folder;
+  try {
+    const auto settings = TrainingSettings::load(folder.write("config.yaml", text));
+    for (const sylph::YamlMap& phase : settings.phases) {
+      ImitationSettings::read(phase);
+    }
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+void expectError(const std::string& text, const std::string& field) {
+  EXPECT_NE(std::string::npos, errorOf(text).find(field)) << text << ": " << errorOf(text);
+}
+
+TEST(TrainingSettingsTest, MalformedFieldsAreNamed) {
+  expectError("seed: 1\n", "phases");
+  expectError("phases: []\n", "phases");
+  expectError("phases: [{steps: 4}]\n", "phases[0].kind");
+  expectError("phases: [{kind: imitation, stesp: 4}]\n", "stesp");
+  expectError("phases: [{kind: imitation, precision: half}]\n", "phases[0].precision");
+  expectError("phases: [{kind: imitation, learning_rate: 0}]\n", "phases[0].learning_rate");
+  expectError("phases: [{kind: imitation, corrections: {}}]\n", "corrections");
+  expectError("phases: [{kind: dagger, corrections: {every: [9, 2]}}]\n", "corrections.every");
+  expectError("network: {width: 7}\nphases: [{kind: imitation}]\n", "network.width");
+  expectError("worlds: {side: 10}\nphases: [{kind: imitation}]\n", "worlds.side");
+  expectError("demonstrations: {improvement_s: -1}\nphases: [{kind: imitation}]\n",
+              "demonstrations.improvement_s");
+}
+
+TEST(TrainingSettingsTest, TheShippedConfigurationIsSound) {
+  const auto settings = TrainingSettings::load("config/sylph.yaml");
+  ASSERT_FALSE(settings.phases.empty());
+  for (const sylph::YamlMap& phase : settings.phases) {
+    EXPECT_GT(ImitationSettings::read(phase).steps, 0);
+  }
+}
+
+}  // namespace
+}  // namespace sylph_training
