@@ -15,19 +15,30 @@ constexpr double kHeatingTime = 60.0;  // [timesteps]
 }  // namespace
 
 PolicyRanking::PolicyRanking(const SearchProblem& problem, const MoveSettings& settings, Rng& rng)
-    : problem_(&problem), settings_(settings), rng_(&rng) {}
+    : problem_(&problem),
+      settings_(settings),
+      rng_(&rng),
+      occupant_(static_cast<std::size_t>(problem.graph.size()), kNoAgent) {}
 
 void PolicyRanking::listenTo(const AgentRows& actions, const std::vector<int>& waited) {
   actions_ = &actions;
   waited_ = &waited;
 }
 
-void PolicyRanking::observe(const Vertices& /*configuration*/) {}
+void PolicyRanking::observe(const Vertices& configuration) {
+  for (const VertexId vertex : observed_) {
+    occupant_[vertex] = kNoAgent;
+  }
+  observed_ = configuration;
+  for (std::size_t agent = 0; agent < configuration.size(); ++agent) {
+    occupant_[configuration[agent]] = static_cast<AgentId>(agent);
+  }
+}
 
 void PolicyRanking::rank(AgentId agent, VertexId at, Moves& moves) {
   const Cell& cell = problem_->graph.cellAt(at);
   const int to_go = problem_->distances.get(agent, at);
-  const double temperature = temperatureOf(agent);
+  const double temperature = temperatureOf(agent, at);
   std::array<double, kActionCount> keys{};
   for (int index = 0; index < moves.count; ++index) {
     const VertexId target = moves.targets[index];
@@ -50,8 +61,13 @@ void PolicyRanking::rank(AgentId agent, VertexId at, Moves& moves) {
   }
 }
 
-double PolicyRanking::temperatureOf(AgentId agent) const {
-  const double waited = (*waited_)[agent];
+double PolicyRanking::temperatureOf(AgentId agent, VertexId at) const {
+  double waited = (*waited_)[agent];
+  for (const VertexId beside : problem_->graph.neighbors(at)) {
+    if (occupant_[beside] != kNoAgent) {
+      waited = std::max<double>(waited, (*waited_)[occupant_[beside]]);
+    }
+  }
   return settings_.base_temperature *
          std::clamp((waited - kPatience) / kHeatingTime, settings_.least_heat, settings_.most_heat);
 }

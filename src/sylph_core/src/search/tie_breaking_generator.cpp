@@ -25,6 +25,7 @@ std::vector<AgentId> TieBreakingGenerator::order(const Vertices& configuration,
 bool TieBreakingGenerator::generate(const Vertices& from, const std::vector<AgentId>& order,
                                     Vertices& to) {
   ranking_.listenTo(step_->actions, waited_);
+  ranking_.observe(from);
   const Vertices bound = to;
   std::vector<Action> wishes(from.size(), Action::Stay);
   for (const AgentId agent : order) {

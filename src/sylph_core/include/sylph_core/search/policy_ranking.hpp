@@ -19,9 +19,9 @@ namespace sylph {
 /// the network settles which of the equally short moves to take and overrules the distance only
 /// where it is sure.
 ///
-/// An agent that has been off its goal for `waited` timesteps has the temperature
-/// base_temperature * clamp((waited - 20) / 60, least_heat, most_heat): whoever gets nowhere tries
-/// something else.
+/// The temperature of an agent is base_temperature * clamp((waited - 20) / 60, least_heat,
+/// most_heat), where it or one beside it has been off its goal for `waited` timesteps: whoever gets
+/// nowhere tries something else, and so does whoever has to make way.
 struct MoveSettings {
   double distance_weight = 8.0;
   double stay_penalty = 2.0;
@@ -36,7 +36,7 @@ class PolicyRanking : public MoveRanking {
   /// @param problem, rng  must outlive this object
   PolicyRanking(const SearchProblem& problem, const MoveSettings& settings, Rng& rng);
 
-  /// What the network says in the configuration that is asked about next.
+  /// What the network says in the configuration that is observed next.
   /// @param actions  n x 5 logits; must outlive the questions, as must `waited`
   /// @param waited   per agent: timesteps since it was last on its goal
   void listenTo(const AgentRows& actions, const std::vector<int>& waited);
@@ -45,7 +45,7 @@ class PolicyRanking : public MoveRanking {
   void rank(AgentId agent, VertexId at, Moves& moves) override;
 
  private:
-  double temperatureOf(AgentId agent) const;
+  double temperatureOf(AgentId agent, VertexId at) const;
   double drawGumbel();
 
   const SearchProblem* problem_;
@@ -53,6 +53,8 @@ class PolicyRanking : public MoveRanking {
   Rng* rng_;
   const AgentRows* actions_ = nullptr;
   const std::vector<int>* waited_ = nullptr;
+  std::vector<AgentId> occupant_;  // per vertex
+  Vertices observed_;
 };
 
 }  // namespace sylph
