@@ -10,9 +10,11 @@ class DistanceGuide : public Guide {
   DistanceGuide(const SearchProblem& problem, const Instance& instance, Rng& rng)
       : problem_(&problem), grid_(&instance.grid), rng_(&rng) {}
 
-  std::unique_ptr<ConfigurationGenerator> makeGenerator(int attempt) override {
-    return makeDistanceGenerator(*problem_, attempt, *rng_);
+  std::unique_ptr<ConfigurationGenerator> makeGenerator() override {
+    return makeDistanceGenerator(*problem_, 0, *rng_);
   }
+
+  bool goesByDistance() const override { return true; }
 
   std::vector<SocialState> socialStates(const std::vector<Vertices>& plan) override {
     const auto distance = [this](AgentId agent, const Cell& cell) {

@@ -6,9 +6,13 @@
 #include "sylph_core/planners/improvement.hpp"
 #include "sylph_core/search/distance_generator.hpp"
 #include "sylph_core/search/lacam.hpp"
+#include "sylph_core/search/paths.hpp"
 
 namespace sylph {
 namespace {
+
+constexpr double kShareOfPolicy = 0.5;  // of the time, at most, where there is a solution
+constexpr long kStepsOfPolicy = 1000;
 
 Outcome outcomeOf(Lacam::Status status, std::size_t plan_size, const PlanningLimits& limits) {
   switch (status) {
@@ -20,6 +24,40 @@ Outcome outcomeOf(Lacam::Status status, std::size_t plan_size, const PlanningLim
       break;
   }
   return static_cast<int>(plan_size) - 1 > limits.max_steps ? Outcome::StepLimit : Outcome::Solved;
+}
+
+/// With a policy, the second attempt goes by it, the others by distance.
+FirstSolution findBySomeOrder(const SearchProblem& problem, Guide& guide, const Deadline& deadline,
+                              Rng& rng) {
+  const auto make_generator = [&](const SearchProblem& /*problem*/, int attempt, Rng& /*rng*/) {
+    return attempt == 1 ? guide.makeGenerator()
+                        : makeDistanceGenerator(problem, attempt > 1 ? attempt - 1 : 0, rng);
+  };
+  return findFirstSolution(problem, make_generator, deadline, rng);
+}
+
+/// By distance a solution mostly is a matter of milliseconds. It is what there is if the network is
+/// too slow for the time limit, or leads to something worse.
+FirstSolution findSolutionToImprove(const SearchProblem& problem, Guide& guide,
+                                    const Deadline& deadline, Rng& rng) {
+  if (guide.goesByDistance()) {
+    return findFirstSolution(problem, makeDistanceGenerator, deadline, rng);
+  }
+  FirstSolution first = findBySomeOrder(problem, guide, deadline, rng);
+  if (first.status != Lacam::Status::Solved || guide.policyCalls() > 0) {
+    return first;
+  }
+  const auto generator = guide.makeGenerator();
+  Lacam lacam(problem, *generator, rng);
+  const auto status = lacam.search(Deadline(kShareOfPolicy * deadline.remaining()), kStepsOfPolicy);
+  first.nodes += lacam.nodeCount();
+  if (status == Lacam::Status::Solved) {
+    std::vector<Vertices> plan = lacam.plan();
+    if (sumOfCosts(pathsOf(plan)) <= sumOfCosts(pathsOf(first.plan))) {
+      first.plan = std::move(plan);
+    }
+  }
+  return first;
 }
 
 /// Improvement leaves this time for the network to be asked along the plan [s].
@@ -39,12 +77,7 @@ PlanningResult LacamPlanner::plan(const Instance& instance, const PlanningLimits
   const Deadline deadline(limits.time_limit_s);
   const SearchProblem problem(instance);
   const auto guide = make_guide_(problem, instance, limits.threads, rng);
-  FirstSolution first = findFirstSolution(
-      problem,
-      [&](const SearchProblem& /*problem*/, int attempt, Rng& /*rng*/) {
-        return guide->makeGenerator(attempt);
-      },
-      deadline, rng);
+  FirstSolution first = findSolutionToImprove(problem, *guide, deadline, rng);
   PlanningResult result;
   result.statistics.first_solution_s = deadline.elapsed();
   result.statistics.search_nodes = first.nodes;

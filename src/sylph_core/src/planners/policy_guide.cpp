@@ -2,7 +2,6 @@
 
 #include <utility>
 
-#include "sylph_core/search/distance_generator.hpp"
 #include "sylph_core/search/policy_generator.hpp"
 #include "sylph_core/search/policy_steps.hpp"
 #include "sylph_core/search/tie_breaking_generator.hpp"
@@ -25,10 +24,7 @@ class PolicyGuide : public Guide {
         rollout_(*policy_, instance.grid, instance.goals, settings.svo_choice, threads),
         steps_(rollout_, problem.graph, rng) {}
 
-  std::unique_ptr<ConfigurationGenerator> makeGenerator(int attempt) override {
-    if (use_ == PolicyUse::Search && attempt > 0) {
-      return makeDistanceGenerator(*problem_, attempt - 1, *rng_);
-    }
+  std::unique_ptr<ConfigurationGenerator> makeGenerator() override {
     if (use_ == PolicyUse::TieBreaking) {
       return std::make_unique<TieBreakingGenerator>(*problem_, *grid_, steps_, settings_.moves,
                                                     *rng_);
@@ -37,6 +33,8 @@ class PolicyGuide : public Guide {
         *problem_, steps_, settings_.moves,
         use_ == PolicyUse::Search ? kPatienceOfSearch : PolicyPatience(), *rng_);
   }
+
+  bool goesByDistance() const override { return false; }
 
   std::vector<SocialState> socialStates(const std::vector<Vertices>& plan) override {
     return steps_.along(plan);

@@ -15,7 +15,7 @@ PlanningResult StepwisePlanner::plan(const Instance& instance, const PlanningLim
   const Deadline deadline(limits.time_limit_s);
   const SearchProblem problem(instance);
   const auto guide = make_guide_(problem, instance, limits.threads, rng);
-  const auto generator = guide->makeGenerator(0);
+  const auto generator = guide->makeGenerator();
   std::vector<Vertices> configurations = {problem.starts};
   std::vector<int> waited(problem.starts.size(), 0);
   PlanningResult result;

@@ -4,13 +4,18 @@
 #include <string>
 #include <vector>
 
+#include "../search/joint_search.hpp"
 #include "sylph_core/grid/distance_field.hpp"
 #include "sylph_core/grid/generators.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
+#include "sylph_core/mapf/metrics.hpp"
 #include "sylph_core/mapf/random_instance.hpp"
 #include "sylph_core/planners/planner.hpp"
+#include "sylph_core/policy/policy_rollout.hpp"
+#include "sylph_core/search/lacam.hpp"
+#include "sylph_core/search/policy_generator.hpp"
+#include "sylph_core/search/policy_steps.hpp"
 #include "sylph_core/social/partners.hpp"
-#include "../search/joint_search.hpp"
 #include "test/support/random_weights.hpp"
 
 namespace sylph {
@@ -110,6 +115,16 @@ TEST_P(PolicyPlannersTest, CountTheNetworksCalls) {
 
 INSTANTIATE_TEST_SUITE_P(All, PolicyPlannersTest, ::testing::ValuesIn(kPolicyPlanners));
 
+/// LaCAM by the policy alone, without the planner's search by distance.
+Lacam::Status searchByPolicy(const Instance& instance, const Policy& policy, Rng& rng) {
+  const SearchProblem problem(instance);
+  PolicyRollout rollout(policy, instance.grid, instance.goals, SvoChoice::Mean, 1);
+  PolicySteps steps(rollout, problem.graph, rng);
+  PolicyGenerator generator(problem, steps, MoveSettings(), PolicyPatience(), rng);
+  Lacam lacam(problem, generator, rng);
+  return lacam.search(Deadline(60.0), -1);
+}
+
 void expectSolvedExactlyIfSolvable(bool rotations) {
   PlanningLimits limits;
   limits.first_solution_only = true;
@@ -124,22 +139,27 @@ void expectSolvedExactlyIfSolvable(bool rotations) {
     Rng rng(seed);
     const Instance instance = crowdedInstance(4, rotations, rng);
     const bool is_solvable = leastCostByJointSearch(instance).has_value();
+    EXPECT_EQ(is_solvable ? Lacam::Status::Solved : Lacam::Status::Exhausted,
+              searchByPolicy(instance, *policy, rng));
+    Rng lacam_rng = rng;
     const PlanningResult result = makePlanner("sylph_lacam", policy)->plan(instance, limits, rng);
     ASSERT_EQ(is_solvable ? Outcome::Solved : Outcome::Unsolvable, result.outcome)
         << instance.grid.toText();
-    Rng other_rng(seed);
-    EXPECT_EQ(makePlanner("lacam")->plan(instance, limits, other_rng).outcome, result.outcome);
+    const PlanningResult by_distance = makePlanner("lacam")->plan(instance, limits, lacam_rng);
+    EXPECT_EQ(by_distance.outcome, result.outcome);
     if (is_solvable) {
       ++solvable_count;
       const auto violation = checkPlan(instance, result.plan);
       ASSERT_FALSE(violation.has_value()) << violation->message;
+      EXPECT_LE(computeMetrics(instance, result.plan).sum_of_costs,
+                computeMetrics(instance, by_distance.plan).sum_of_costs);
     }
   }
   EXPECT_GT(solvable_count, kInstances / 4);
   EXPECT_LT(solvable_count, kInstances * 3 / 4);
 }
 
-TEST(SylphLacamTest, SolvesExactlyTheSolvableWhateverTheWeights) {
+TEST(SylphLacamTest, SolvesExactlyTheSolvableWhateverTheWeightsAndNeverForMoreThanLacam) {
   expectSolvedExactlyIfSolvable(false);
   expectSolvedExactlyIfSolvable(true);
 }

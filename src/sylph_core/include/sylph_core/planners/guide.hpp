@@ -19,9 +19,9 @@ class Guide {
  public:
   virtual ~Guide() = default;
 
-  /// Searches that get nowhere start anew: `attempt`, from 0, counts how often, and each one should
-  /// do something else.
-  virtual std::unique_ptr<ConfigurationGenerator> makeGenerator(int attempt) = 0;
+  virtual std::unique_ptr<ConfigurationGenerator> makeGenerator() = 0;
+  /// Whether that is makeDistanceGenerator()'s.
+  virtual bool goesByDistance() const = 0;
 
   /// Partners and SVOs along a plan.
   /// @return one per joint action

@@ -7,8 +7,12 @@
 
 namespace sylph {
 
-/// LaCAM over the configurations of a guide's generators, then improvement by distance until the
-/// time is up. Complete: finds a plan if there is one, given the time, and Unsolvable is a proof.
+/// LaCAM, then improvement by distance until the time is up. Complete: finds a plan if there is
+/// one, given the time, and Unsolvable is a proof.
+///
+/// With a guide that goes by a policy, the first solution is the cheaper one of two: found by
+/// distance, and found by the guide within half of the time limit. Where the first attempt by
+/// distance finds none, the second attempt goes by the guide.
 class LacamPlanner : public Planner {
  public:
   LacamPlanner(std::string name, GuideFactory make_guide);
