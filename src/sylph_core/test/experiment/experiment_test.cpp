@@ -221,7 +221,9 @@ TEST_P(ShippedExperimentTest, HasAPlanWithoutRotationsForEverySeed) {
   PlanningLimits limits;
   limits.time_limit_s = 20.0;  // a few milliseconds are enough
   limits.first_solution_only = true;
-  const auto planner = makePlanner("lacam");
+  const PlanningSpec spec = loadExperiment(path).planning;
+  EXPECT_EQ("sylph_lacam", spec.planner);
+  const auto planner = makePlanner(spec.planner, loadPolicyFor(spec.planner, spec.weights_path));
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     const Instance instance = toInstance(loadExperiment(path, {seed, std::nullopt}));
@@ -230,6 +232,7 @@ TEST_P(ShippedExperimentTest, HasAPlanWithoutRotationsForEverySeed) {
     const PlanningResult result = planner->plan(instance, limits, rng);
     EXPECT_EQ(Outcome::Solved, result.outcome);
     EXPECT_FALSE(checkPlan(instance, result.plan).has_value());
+    EXPECT_EQ(result.plan.size() - 1, result.social.size());
   }
 }
 
