@@ -11,8 +11,11 @@
 namespace sylph {
 namespace {
 
-constexpr double kShareOfPolicy = 0.5;  // of the time, at most, where there is a solution
+constexpr double kShareOfPolicy = 0.25;  // of the time, at most, where there is a solution
 constexpr long kStepsOfPolicy = 1000;
+constexpr int kFewAgents = 16;
+constexpr double kShareOfFirstSolution = 0.05;  // of the rest of the time, at most, for rounds
+constexpr int kRoundsOfFew = 4;
 
 Outcome outcomeOf(Lacam::Status status, std::size_t plan_size, const PlanningLimits& limits) {
   switch (status) {
@@ -36,32 +39,72 @@ FirstSolution findBySomeOrder(const SearchProblem& problem, Guide& guide, const 
   return findFirstSolution(problem, make_generator, deadline, rng);
 }
 
+long costOf(const std::vector<Vertices>& plan) {
+  return sumOfCosts(pathsOf(plan));
+}
+
+struct Solutions {
+  Lacam::Status status = Lacam::Status::Unfinished;
+  /// The cheapest first; if there is no solution, the way to the nearest configuration found.
+  std::vector<std::vector<Vertices>> plans;
+  long nodes = 0;  ///< configurations generated
+};
+
 /// By distance a solution mostly is a matter of milliseconds. It is what there is if the network is
 /// too slow for the time limit, or leads to something worse.
-FirstSolution findSolutionToImprove(const SearchProblem& problem, Guide& guide,
-                                    const Deadline& deadline, Rng& rng) {
-  if (guide.goesByDistance()) {
-    return findFirstSolution(problem, makeDistanceGenerator, deadline, rng);
-  }
-  FirstSolution first = findBySomeOrder(problem, guide, deadline, rng);
-  if (first.status != Lacam::Status::Solved || guide.policyCalls() > 0) {
-    return first;
+Solutions findSolutions(const SearchProblem& problem, Guide& guide, const Deadline& deadline,
+                        Rng& rng) {
+  FirstSolution first = guide.goesByDistance()
+                            ? findFirstSolution(problem, makeDistanceGenerator, deadline, rng)
+                            : findBySomeOrder(problem, guide, deadline, rng);
+  Solutions solutions{first.status, {std::move(first.plan)}, first.nodes};
+  if (solutions.status != Lacam::Status::Solved || guide.goesByDistance() ||
+      guide.policyCalls() > 0) {
+    return solutions;
   }
   const auto generator = guide.makeGenerator();
   Lacam lacam(problem, *generator, rng);
   const auto status = lacam.search(Deadline(kShareOfPolicy * deadline.remaining()), kStepsOfPolicy);
-  first.nodes += lacam.nodeCount();
+  solutions.nodes += lacam.nodeCount();
   if (status == Lacam::Status::Solved) {
-    std::vector<Vertices> plan = lacam.plan();
-    if (sumOfCosts(pathsOf(plan)) <= sumOfCosts(pathsOf(first.plan))) {
-      first.plan = std::move(plan);
+    solutions.plans.push_back(lacam.plan());
+    if (costOf(solutions.plans.back()) <= costOf(solutions.plans.front())) {
+      std::swap(solutions.plans.front(), solutions.plans.back());
     }
   }
-  return first;
+  return solutions;
+}
+
+/// Few agents soon are in a local optimum; other starts then are worth more than time, unless the
+/// computer is so busy that there is little of it.
+/// @param reserve_s  time to leave for what comes after [s]
+Improvement improveSolutions(const SearchProblem& problem,
+                             const std::vector<std::vector<Vertices>>& plans, int threads,
+                             const Deadline& deadline, double reserve_s, Rng& rng) {
+  const bool has_rounds = plans.size() > 1 && problem.agentCount() <= kFewAgents &&
+                          deadline.elapsed() < kShareOfFirstSolution * deadline.remaining();
+  const int rounds = has_rounds ? kRoundsOfFew : 1;
+  Improvement best;
+  for (int round = 0; round < rounds; ++round) {
+    const Deadline turn((deadline.remaining() - reserve_s) / (rounds - round));
+    Improvement improvement =
+        improve(problem, plans[static_cast<std::size_t>(round) % plans.size()],
+                makeDistanceGenerator, threads, turn, rng);
+    improvement.improvements += best.improvements;
+    improvement.nodes += best.nodes;
+    if (round > 0 && costOf(best.plan) < costOf(improvement.plan)) {
+      improvement.plan = std::move(best.plan);
+    }
+    best = std::move(improvement);
+    if (!turn.isOver()) {
+      break;  // the least cost
+    }
+  }
+  return best;
 }
 
 /// Improvement leaves this time for the network to be asked along the plan [s].
-double socialStatesAtMost_s(const Guide& guide, const Deadline& deadline, std::size_t steps) {
+double timeForSocialStates(const Guide& guide, const Deadline& deadline, std::size_t steps) {
   return guide.policyCalls() == 0 ? 0.0
                                   : deadline.elapsed() / static_cast<double>(guide.policyCalls()) *
                                         static_cast<double>(steps);
@@ -77,21 +120,21 @@ PlanningResult LacamPlanner::plan(const Instance& instance, const PlanningLimits
   const Deadline deadline(limits.time_limit_s);
   const SearchProblem problem(instance);
   const auto guide = make_guide_(problem, instance, limits.threads, rng);
-  FirstSolution first = findSolutionToImprove(problem, *guide, deadline, rng);
+  Solutions solutions = findSolutions(problem, *guide, deadline, rng);
   PlanningResult result;
   result.statistics.first_solution_s = deadline.elapsed();
-  result.statistics.search_nodes = first.nodes;
-  std::vector<Vertices> best = std::move(first.plan);
-  if (first.status == Lacam::Status::Solved && !limits.first_solution_only) {
-    const Deadline rest(deadline.remaining() - socialStatesAtMost_s(*guide, deadline, best.size()));
+  result.statistics.search_nodes = solutions.nodes;
+  std::vector<Vertices> best = solutions.plans.front();
+  if (solutions.status == Lacam::Status::Solved && !limits.first_solution_only) {
     Improvement improvement =
-        improve(problem, std::move(best), makeDistanceGenerator, limits.threads, rest, rng);
+        improveSolutions(problem, solutions.plans, limits.threads, deadline,
+                         timeForSocialStates(*guide, deadline, best.size()), rng);
     best = std::move(improvement.plan);
     result.statistics.improvements = improvement.improvements;
     result.statistics.search_nodes += improvement.nodes;
   }
   result.plan = problem.graph.toPlan(best);
-  result.outcome = outcomeOf(first.status, result.plan.size(), limits);
+  result.outcome = outcomeOf(solutions.status, result.plan.size(), limits);
   result.social = guide->socialStates(best);
   result.statistics.policy_calls = guide->policyCalls();
   result.statistics.total_s = deadline.elapsed();

@@ -11,8 +11,9 @@ namespace sylph {
 /// one, given the time, and Unsolvable is a proof.
 ///
 /// With a guide that goes by a policy, the first solution is the cheaper one of two: found by
-/// distance, and found by the guide within half of the time limit. Where the first attempt by
-/// distance finds none, the second attempt goes by the guide.
+/// distance, and found by the guide within a quarter of the time limit; for a few agents
+/// improvement starts from the one and the other by turns. Where the first attempt by distance
+/// finds none, the second attempt goes by the guide.
 class LacamPlanner : public Planner {
  public:
   LacamPlanner(std::string name, GuideFactory make_guide);
