@@ -60,6 +60,11 @@ PolicySettings defaultSettings(PolicyUse use) {
   if (use == PolicyUse::TieBreaking) {
     settings.moves = {0.0, 0.0, 1.0, 1.0, 1.0};  // draws from the policy
   }
+  if (use == PolicyUse::Pibt) {
+    // No search helps who goes round in circles: only chance does.
+    settings.moves.base_temperature = 1.0;
+    settings.moves.most_heat = 4.0;
+  }
   return settings;
 }
 
