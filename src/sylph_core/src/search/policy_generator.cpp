@@ -16,14 +16,18 @@ std::vector<double> distancesFromStart(const SearchProblem& problem) {
   return distances;
 }
 
-/// Large for selfish agents; `distances` settle what is equal.
-std::vector<double> selfishFirst(const std::vector<float>& svo_deg,
+/// Large for selfish agents; `distances` settle what is equal. SVOs change from step to step, and
+/// agents that take the lead by turns may get nowhere: who has waited long goes by distance alone.
+std::vector<double> selfishFirst(const std::vector<float>& svo_deg, const std::vector<int>& waited,
                                  const std::vector<double>& distances) {
+  constexpr int kLongWait = 30;      // [timesteps]
   constexpr double kPerLevel = 1e9;  // more than any distance
   std::vector<double> tie_breaks = distances;
   for (std::size_t agent = 0; agent < svo_deg.size(); ++agent) {
-    tie_breaks[agent] -=
-        kPerLevel * std::round(static_cast<double>(svo_deg[agent]) / kSvoLevelSpacingDeg);
+    if (waited[agent] < kLongWait) {
+      tie_breaks[agent] -=
+          kPerLevel * std::round(static_cast<double>(svo_deg[agent]) / kSvoLevelSpacingDeg);
+    }
   }
   return tie_breaks;
 }
@@ -48,7 +52,7 @@ std::vector<AgentId> PolicyGenerator::order(const Vertices& configuration, const
   }
   const PolicySteps::Entry& entry = steps_->enter(configuration, before);
   visits_[&entry].waited = waited;
-  return orderByWaiting(waited, selfishFirst(entry.step.social.svo_deg, start_distances_));
+  return orderByWaiting(waited, selfishFirst(entry.step.social.svo_deg, waited, start_distances_));
 }
 
 bool PolicyGenerator::generate(const Vertices& from, const std::vector<AgentId>& order,

@@ -27,7 +27,7 @@ struct PolicyPatience {
 
 /// PIBT whose agents want what the policy network says. Agents that waited equally long choose by
 /// SVO, the most selfish level first, and within a level by distance from the start to the goal,
-/// farthest first.
+/// farthest first; where they have waited for 30 timesteps by that distance alone.
 class PolicyGenerator : public ConfigurationGenerator {
  public:
   /// @param problem, steps, rng  must outlive this object
