@@ -71,8 +71,19 @@ Environment::Environment(sylph::Instance instance, const EnvironmentOptions& opt
       blocking_(instance_.grid, distances_, options_.rewards.blocking_detour_cells),
       blocked_(blocking_.count(states_.cells)) {
   requireCount("SVOs", states_.svo_deg.size(), states_.cells.size());
-  encoder_.setStates(states_);
+  showSvo(states_.svo_deg);
   updatePartners();
+}
+
+void Environment::showSvo(const std::vector<float>& svo_deg) {
+  states_.svo_deg = svo_deg;
+  for (AgentId agent = 0; options_.prosocial_on_goal && agent < instance_.agentCount(); ++agent) {
+    if (isOnGoal(agent)) {
+      states_.svo_deg[static_cast<std::size_t>(agent)] =
+          static_cast<float>(sylph::svoOfLevel(sylph::kMostProsocialLevel));
+    }
+  }
+  encoder_.setStates(states_);
 }
 
 void Environment::updatePartners() {
@@ -108,23 +119,22 @@ void Environment::encode(AgentId agent, float* view, float* vector) const {
   encoder_.encode(agent, view, vector);
 }
 
-StepOutcome Environment::step(const std::vector<Action>& wishes,
-                              const std::vector<float>& svo_deg) {
+StepOutcome Environment::step(const std::vector<Action>& wishes, const StepSvo& svo) {
   const std::size_t count = states_.cells.size();
   requireCount("actions", wishes.size(), count);
-  requireCount("SVOs", svo_deg.size(), count);
+  requireCount("SVOs", svo.mean_deg.size(), count);
+  requireCount("drawn SVOs", svo.drawn_deg.size(), count);
   if (isFinished()) {
     throw std::logic_error("a step after the end of the episode");
   }
   sylph::TieBreaking resolved =
       options_.tie_breaking
-          ? breakTies(instance_.grid, instance_.motion, states_.cells, wishes, svo_deg)
+          ? breakTies(instance_.grid, instance_.motion, states_.cells, wishes, svo.mean_deg)
           : haltCollisions(instance_.grid, instance_.motion, states_.cells, wishes);
   for (std::size_t agent = 0; agent < count; ++agent) {
     states_.cells[agent] = neighbor(states_.cells[agent], resolved.actions[agent]);
   }
   states_.last_moves = resolved.actions;
-  states_.svo_deg = svo_deg;
   blocked_ = blocking_.count(states_.cells);
   ++step_count_;
 
@@ -134,10 +144,10 @@ StepOutcome Environment::step(const std::vector<Action>& wishes,
   for (std::size_t agent = 0; agent < count; ++agent) {
     outcome.external.push_back(externalReward(agent, outcome));
   }
-  shareRewards(svo_deg, outcome);
+  shareRewards(svo.drawn_deg, outcome);
   partners_.update(states_.cells);
   updatePartners();
-  encoder_.setStates(states_);
+  showSvo(svo.mean_deg);
   return outcome;
 }
 
@@ -155,12 +165,13 @@ double Environment::externalReward(std::size_t agent, const StepOutcome& outcome
 }
 
 // With the partners of the state in which the agents decided.
-void Environment::shareRewards(const std::vector<float>& svo_deg, StepOutcome& outcome) const {
+void Environment::shareRewards(const std::vector<float>& drawn_svo_deg,
+                               StepOutcome& outcome) const {
   for (std::size_t agent = 0; agent < outcome.external.size(); ++agent) {
     const double own = outcome.external[agent];
     const double partners = outcome.external[static_cast<std::size_t>(partner_ids_[agent])];
     outcome.social.push_back((own + partners) / options_.rewards.svo_importance);
-    outcome.action.push_back(sylph::redistributedReward(own, partners, svo_deg[agent]));
+    outcome.action.push_back(sylph::redistributedReward(own, partners, drawn_svo_deg[agent]));
   }
 }
 

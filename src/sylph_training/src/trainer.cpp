@@ -103,8 +103,8 @@ Trainer::Trainer(TrainingSettings settings, std::string folder, bool resume,
     : state_{std::move(settings), std::move(folder), nullptr, nullptr}, is_resumed_(resume) {
   torch::set_num_threads(state_.settings.threads);
   torch::manual_seed(state_.settings.seed);
-  state_.model = PolicyModel(state_.settings.network);
-  state_.average = PolicyModel(state_.settings.network);
+  state_.model = PolicyModel(state_.settings.network, state_.settings.decoder);
+  state_.average = PolicyModel(state_.settings.network, state_.settings.decoder);
   if (!weights_path.empty()) {
     importWeights(sylph::loadTensorFile(weights_path), state_.model);
   }

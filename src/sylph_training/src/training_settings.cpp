@@ -35,8 +35,8 @@ sylph::NetworkShape readNetwork(const sylph::YamlMap& yaml) {
 TrainingSettings TrainingSettings::load(const std::string& path) {
   const sylph::YamlMap yaml = sylph::YamlMap::load(path);
   yaml.requireOnly({"seed", "threads", "checkpoint_interval_s", "progress_interval_s", "network",
-                    "worlds", "demonstrations", "shards", "validation_shards", "worlds_per_shard",
-                    "phases"});
+                    "decoder", "worlds", "demonstrations", "shards", "validation_shards",
+                    "worlds_per_shard", "phases"});
   TrainingSettings settings;
   const auto count = [&](const std::string& key, int otherwise) {
     return static_cast<int>(yaml.integer(key, otherwise, 1, 1000000));
@@ -54,6 +54,10 @@ TrainingSettings TrainingSettings::load(const std::string& path) {
   if (const auto network = yaml.map("network")) {
     settings.network = readNetwork(*network);
   }
+  settings.decoder =
+      yaml.word("decoder", {"semantic_transformer", "lstm"}, "semantic_transformer") == "lstm"
+          ? Decoder::Lstm
+          : Decoder::SemanticTransformer;
   if (const auto worlds = yaml.map("worlds")) {
     settings.worlds = WorldSettings::read(*worlds);
   }

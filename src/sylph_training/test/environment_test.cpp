@@ -185,7 +185,8 @@ TEST(EnvironmentProperty, NobodyCollidesAndRewardsAreThoseOfTheTable) {
     while (!world.isFinished()) {
       const std::vector<AgentId> partners = world.partners();
       const std::vector<float> svo_deg = randomSvos(agents, rng);
-      const StepOutcome outcome = world.step(randomWishes(world, rng), svo_deg);
+      const StepOutcome outcome =
+          world.step(randomWishes(world, rng), {randomSvos(agents, rng), svo_deg});
       expectRewards(instance, plan.back(), world.cells(), partners, svo_deg, outcome);
       plan.push_back(world.cells());
     }
@@ -208,7 +209,8 @@ TEST(EnvironmentProperty, TheSameSeedGivesTheSameEpisode) {
       std::vector<double> rewards;
       while (!world.isFinished() && world.stepCount() < 50) {
         const auto wishes = randomWishes(world, rng);
-        const StepOutcome outcome = world.step(wishes, randomSvos(agents, rng));
+        const StepOutcome outcome =
+            world.step(wishes, {randomSvos(agents, rng), randomSvos(agents, rng)});
         rewards.insert(rewards.end(), outcome.action.begin(), outcome.action.end());
       }
       return std::pair(world.cells(), rewards);
@@ -221,7 +223,7 @@ TEST(EnvironmentTest, OneThatRestsOnItsGoalInACorridorPaysForWhoCannotPass) {
   // Agent 0 stands on its goal, agent 1 has to pass.
   Environment world(instanceOf(".....\n", {{0, 2}, {0, 0}}, {{0, 2}, {0, 4}}), {}, {0.F, 0.F});
   EXPECT_EQ((std::vector<int>{1, 0}), world.blockedCounts());
-  const StepOutcome outcome = world.step({Action::Stay, Action::Stay}, {0.F, 45.F});
+  const StepOutcome outcome = world.step({Action::Stay, Action::Stay}, {{0.F, 45.F}, {0.F, 45.F}});
   EXPECT_EQ((std::vector<double>{-1.0, -0.3}), outcome.external);
   EXPECT_EQ((std::vector<double>{-0.65, -0.65}), outcome.social);
   EXPECT_NEAR(-1.0, outcome.action[0], 1e-12);
@@ -232,14 +234,16 @@ TEST(EnvironmentTest, TheMoreProsocialYieldsUnderTieBreakingAndBothStayWithout) 
   const sylph::Instance crossing =
       instanceOf("#.#\n...\n#.#\n", {{1, 0}, {0, 1}}, {{1, 2}, {2, 1}});
   Environment social(crossing, {}, {0.F, 0.F});
-  const StepOutcome yielded = social.step({Action::East, Action::South}, {45.F, 0.F});
+  const StepOutcome yielded =
+      social.step({Action::East, Action::South}, {{45.F, 0.F}, {45.F, 0.F}});
   EXPECT_EQ((Configuration{{1, 0}, {1, 1}}), social.cells());
   EXPECT_EQ((std::vector<double>{-2.0, -0.3}), yielded.external);
 
   EnvironmentOptions options;
   options.tie_breaking = false;
   Environment selfish(crossing, options, {0.F, 0.F});
-  const StepOutcome halted = selfish.step({Action::East, Action::South}, {45.F, 0.F});
+  const StepOutcome halted =
+      selfish.step({Action::East, Action::South}, {{45.F, 0.F}, {45.F, 0.F}});
   EXPECT_EQ(crossing.starts, selfish.cells());
   EXPECT_EQ((std::vector<double>{-2.0, -2.0}), halted.external);
 }
@@ -249,7 +253,7 @@ TEST(EnvironmentTest, WithoutPartnersRewardsAreOnesOwn) {
   options.partners = false;
   Environment world(instanceOf(".....\n", {{0, 2}, {0, 0}}, {{0, 2}, {0, 4}}), options, {0.F, 0.F});
   EXPECT_EQ((std::vector<AgentId>{0, 1}), world.partners());
-  const StepOutcome outcome = world.step({Action::Stay, Action::Stay}, {0.F, 0.F});
+  const StepOutcome outcome = world.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {0.F, 0.F}});
   EXPECT_EQ(outcome.external, outcome.social);
   EXPECT_EQ(outcome.external, outcome.action);
   EXPECT_EQ(0.0, world.partnerOverlap(0));
@@ -258,10 +262,11 @@ TEST(EnvironmentTest, WithoutPartnersRewardsAreOnesOwn) {
 TEST(EnvironmentTest, EndsWhenAllHaveArrivedAndTakesNoStepAfterwards) {
   Environment world(instanceOf("...\n...\n", {{0, 0}, {1, 0}}, {{0, 1}, {1, 1}}), {}, {0.F, 0.F});
   EXPECT_FALSE(world.isFinished());
-  world.step({Action::East, Action::East}, {0.F, 0.F});
+  world.step({Action::East, Action::East}, {{0.F, 0.F}, {0.F, 0.F}});
   EXPECT_TRUE(world.isSolved());
   EXPECT_TRUE(world.isFinished());
-  EXPECT_THROW(world.step({Action::Stay, Action::Stay}, {0.F, 0.F}), std::logic_error);
+  EXPECT_THROW(world.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {0.F, 0.F}}),
+               std::logic_error);
 }
 
 TEST(EnvironmentTest, RefusesWhatItCannotBeAsked) {
@@ -274,8 +279,9 @@ TEST(EnvironmentTest, RefusesWhatItCannotBeAsked) {
   options.rewards.blocking_detour_cells = -1;
   EXPECT_THROW(Environment(instance, options, {0.F}), std::invalid_argument);
   Environment world(instance, {}, {0.F});
-  EXPECT_THROW(world.step({}, {0.F}), std::invalid_argument);
-  EXPECT_THROW(world.step({Action::Stay}, {}), std::invalid_argument);
+  EXPECT_THROW(world.step({}, {{0.F}, {0.F}}), std::invalid_argument);
+  EXPECT_THROW(world.step({Action::Stay}, {{0.F}, {}}), std::invalid_argument);
+  EXPECT_THROW(world.step({Action::Stay}, {{}, {0.F}}), std::invalid_argument);
   EXPECT_THROW(haltCollisions(instance.grid, {}, {{0, 0}}, {}), std::invalid_argument);
 }
 

@@ -25,10 +25,18 @@ struct EnvironmentOptions {
   RewardOptions rewards;
   bool tie_breaking = true;  ///< conflicts by SVO (Alg. 3); else all parties stay and are penalised
   bool partners = true;      ///< else everybody is its own partner
-  int max_steps = 256;       ///< of an episode, > 0
+  bool prosocial_on_goal = true;  ///< others see the most prosocial level of who is on its goal
+  int max_steps = 256;            ///< of an episode, > 0
 
   /// @throws std::invalid_argument naming the member and what is allowed
   void requireValid() const;
+};
+
+/// SVOs of one step, one entry per agent, 0 ... 45 [deg].
+struct StepSvo {
+  std::vector<float>
+      mean_deg;  ///< of the distribution: orders tie-breaking, and is what others see
+  std::vector<float> drawn_deg;  ///< Z, drawn from the distribution: weighs the rewards
 };
 
 /// What one step brought; one entry per agent.
@@ -73,14 +81,14 @@ class Environment {
   bool isFinished() const { return isSolved() || step_count_ >= options_.max_steps; }
 
   /// Carries out a joint action, less what would collide.
-  /// @param wishes   one per agent
-  /// @param svo_deg  per agent the executed SVO Z, 0 ... 45 [deg]
+  /// @param wishes  one per agent
   /// @throws std::invalid_argument if the sizes differ, std::logic_error if the episode is over
-  StepOutcome step(const std::vector<sylph::Action>& wishes, const std::vector<float>& svo_deg);
+  StepOutcome step(const std::vector<sylph::Action>& wishes, const StepSvo& svo);
 
  private:
   double externalReward(std::size_t agent, const StepOutcome& outcome) const;
-  void shareRewards(const std::vector<float>& svo_deg, StepOutcome& outcome) const;
+  void shareRewards(const std::vector<float>& drawn_svo_deg, StepOutcome& outcome) const;
+  void showSvo(const std::vector<float>& svo_deg);
   void updatePartners();
 
   sylph::Instance instance_;

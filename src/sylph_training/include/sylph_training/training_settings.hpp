@@ -6,6 +6,7 @@
 
 #include "sylph_core/files/yaml_map.hpp"
 #include "sylph_core/policy/network.hpp"
+#include "sylph_training/policy_model.hpp"
 #include "sylph_training/shards.hpp"
 
 namespace sylph_training {
@@ -17,6 +18,7 @@ struct TrainingSettings {
   double checkpoint_interval_s = 120.0;  ///< wall time between checkpoints [s], > 0
   double progress_interval_s = 10.0;     ///< wall time between lines of progress [s], > 0
   sylph::NetworkShape network;
+  Decoder decoder = Decoder::SemanticTransformer;
   WorldSettings worlds;
   DemonstrationSettings demonstrations;
   int shards = 150;                    ///< of expert demonstrations, > 0
