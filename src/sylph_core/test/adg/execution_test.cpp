@@ -1,181 +1,23 @@
-#include "sylph_core/adg/execution.hpp"
-
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <map>
 #include <set>
 
+#include "execution_fixture.hpp"
 #include "random_plan.hpp"
 
 namespace sylph {
 namespace {
 
-using Kind = ExecutionEvent::Kind;
+using test::ExecutionTest;
+using test::kCellSize;
+using test::kCols;
+using test::Kind;
+using test::kRows;
+using test::missionPlan;
+using test::Robot;
 using test::uniform;
-
-constexpr int kRows = 5;
-constexpr int kCols = 6;
-constexpr double kCellSize = 0.3;
-
-MissionPlan missionPlan(const Plan& plan, std::vector<std::string> robots, std::uint32_t plan_id,
-                        std::uint32_t replaces_plan_id = 0) {
-  MissionPlan mission;
-  mission.plan_id = plan_id;
-  mission.replaces_plan_id = replaces_plan_id;
-  mission.planner = "test";
-  mission.robots = std::move(robots);
-  mission.goals = plan.back();
-  mission.plan = plan;
-  const std::size_t agents = plan.front().size();
-  SocialState social;
-  for (std::size_t agent = 0; agent < agents; ++agent) {
-    social.partners.push_back(agent == 0 ? 0 : static_cast<AgentId>(agent) - 1);
-    social.svo_deg.push_back(static_cast<float>(agent) * 5.0F);
-  }
-  mission.social.assign(plan.size() - 1, social);
-  return mission;
-}
-
-/// A robot at the other end: keeps to the protocol, remembers what it has carried out.
-struct Robot {
-  std::uint32_t report_id = 0;
-  std::uint32_t plan_id = 0;
-  int done = 0;
-  std::map<int, TaskOrder> tasks;
-  Point position;
-  std::vector<int> carried_out;  ///< sequences of the present plan
-
-  int accepted() const {
-    int count = 0;
-    while (tasks.count(count) > 0) {
-      ++count;
-    }
-    return count;
-  }
-  void take(const TaskOrder& order) {
-    if (order.plan_id < plan_id) {
-      return;
-    }
-    if (order.plan_id > plan_id) {
-      plan_id = order.plan_id;
-      done = 0;
-      tasks.clear();
-      carried_out.clear();
-    }
-    tasks.emplace(order.sequence, order);
-    while (tasks.count(done) > 0 && tasks.at(done).status == TaskStatus::Done) {
-      ++done;
-    }
-  }
-  bool hasTask() const { return done < accepted(); }
-  void carryOut(const CellFrame& frame) {
-    position = frame.toPoint(tasks.at(done).task.end);
-    carried_out.push_back(done);
-    ++done;
-  }
-  RobotReport report(double stamp_s) {
-    RobotReport report;
-    report.report_id = ++report_id;
-    report.stamp_s = stamp_s;
-    report.plan_id = plan_id;
-    report.accepted = accepted();
-    report.done = done;
-    report.state = hasTask() ? ReportState::Moving : ReportState::Idle;
-    report.position = position;
-    return report;
-  }
-};
-
-/// An Execution with robots around it and a clock that the test moves.
-class ExecutionTest : public testing::Test {
- protected:
-  explicit ExecutionTest(int robots = 3) : frame_(kRows, kCellSize), robots_(index(robots)) {
-    for (int robot = 0; robot < robots; ++robot) {
-      names_.push_back("robot_" + std::to_string(robot));
-    }
-    limits_.lookahead = 3;
-    restart();
-  }
-
-  static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-
-  /// A new Execution that knows nothing.
-  void restart() { execution_.emplace(names_, kRows, kCols, kCellSize, limits_); }
-
-  void place(const Configuration& cells) {
-    for (std::size_t i = 0; i < robots_.size(); ++i) {
-      robots_[i].position = frame_.toPoint(cells[i]);
-      report(static_cast<int>(i));
-    }
-  }
-
-  void report(int robot) {
-    execution_->report(robot, robots_[index(robot)].report(now_s_), now_s_);
-  }
-  void reportAll() {
-    for (int robot = 0; robot < execution_->robotCount(); ++robot) {
-      report(robot);
-    }
-  }
-
-  /// Hands out what there is to send and keeps the log.
-  void deliver() {
-    collect();
-    for (const TaskOrder& order : execution_->takeOrders(now_s_)) {
-      robots_[index(order.robot)].take(order);
-    }
-  }
-  void collect() {
-    for (ExecutionEvent& event : execution_->takeEvents()) {
-      log_.push_back(std::move(event));
-    }
-  }
-
-  /// Time passes; robots that are not in `idle` carry out a task each and report.
-  void step(const std::set<int>& idle = {}, double duration_s = 0.1) {
-    now_s_ += duration_s;
-    for (int i = 0; i < execution_->robotCount(); ++i) {
-      if (idle.count(i) > 0) {
-        continue;
-      }
-      if (robots_[index(i)].hasTask()) {
-        robots_[index(i)].carryOut(frame_);
-      }
-      report(i);
-    }
-    execution_->tick(now_s_);
-    deliver();
-  }
-
-  bool stepUntil(ExecutionPhase phase, const std::set<int>& idle = {}) {
-    for (int i = 0; i < 300 && execution_->phase() != phase; ++i) {
-      step(idle);
-    }
-    return execution_->phase() == phase;
-  }
-
-  int count(Kind kind) const {
-    return static_cast<int>(std::count_if(log_.begin(), log_.end(),
-                                          [&](const auto& event) { return event.kind == kind; }));
-  }
-
-  void submit(const Plan& plan, std::uint32_t plan_id, std::uint32_t replaces_plan_id = 0,
-              std::vector<std::string> robots = {}) {
-    execution_->submit(
-        missionPlan(plan, robots.empty() ? names_ : std::move(robots), plan_id, replaces_plan_id),
-        now_s_);
-    deliver();
-  }
-
-  CellFrame frame_;
-  std::vector<std::string> names_;
-  ExecutionLimits limits_;
-  std::optional<Execution> execution_;
-  std::vector<Robot> robots_;
-  std::vector<ExecutionEvent> log_;
-  double now_s_ = 100.0;
-};
 
 /// A queue of three that moves two cells east, robot 2 in front.
 Plan queue() {
