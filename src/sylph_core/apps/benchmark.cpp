@@ -25,9 +25,9 @@ struct Options {
   std::string csv_path;
 };
 
-void writeCsv(const std::vector<sylph::BenchmarkRun>& runs, const std::string& path) {
-  std::ofstream file(path);
-  file << sylph::toCsv(runs);
+void writeText(const std::string& text, const std::string& path, std::ios::openmode mode) {
+  std::ofstream file(path, mode);
+  file << text;
   file.close();
   if (!file) {
     throw std::runtime_error(path + ": cannot be written");
@@ -40,16 +40,20 @@ int benchmark(const Options& options) {
   const std::vector<sylph::BenchmarkCase> cases = sylph::makeCases(suite);
   const auto& planners = options.planners.empty() ? suite.planners : options.planners;
   const auto policy = sylph::loadPolicy(planners, options.weights_path);
-  if (!options.csv_path.empty()) {
-    writeCsv({}, options.csv_path);  // before hours of work, not after
-  }
+  const auto writeCsv = [&](const std::string& text, std::ios::openmode mode) {
+    if (!options.csv_path.empty()) {
+      writeText(text, options.csv_path, mode);
+    }
+  };
+  writeCsv(sylph::toCsv({}), std::ios::trunc);  // a bad path shows before hours of work, not after
   sylph::ProgressBar bar(planners.size() * cases.size());
   const auto runs = sylph::runBenchmark(planners, policy, cases, suite.limits, options.jobs,
-                                        [&](std::size_t done) { bar.show(done); });
+                                        [&](const sylph::BenchmarkRun& run, std::size_t done) {
+                                          writeCsv(sylph::toCsvLine(run), std::ios::app);
+                                          bar.show(done);
+                                        });
   std::cout << sylph::toTable(runs);
-  if (!options.csv_path.empty()) {
-    writeCsv(runs, options.csv_path);
-  }
+  writeCsv(sylph::toCsv(runs), std::ios::trunc);  // in order, whatever the order of the ends
   int status = EXIT_SUCCESS;
   for (const sylph::BenchmarkRun& run : runs) {
     if (run.evaluation.violation) {
@@ -78,6 +82,6 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "cases at a time; more than free cores blur the times")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
-  app.add_option("--out", options.csv_path, "CSV file to write, one line a run");
+  app.add_option("--out", options.csv_path, "CSV file to write, one line a run, as they end");
   return sylph::runCommand(app, argc, argv, [&] { return benchmark(options); });
 }

@@ -77,22 +77,28 @@ std::string align(const std::vector<std::vector<std::string>>& rows) {
 
 }  // namespace
 
-std::string toCsv(const std::vector<BenchmarkRun>& runs) {
+std::string toCsvLine(const BenchmarkRun& run) {
+  const PlanMetrics& metrics = run.evaluation.metrics;
   std::ostringstream out;
-  out << "planner,family,agents,instance,outcome,steps,makespan,sum_of_costs,"
-         "sum_of_costs_lower_bound,arrived,seconds_to_first,seconds,policy_calls\n";
-  for (const BenchmarkRun& run : runs) {
-    const PlanMetrics& metrics = run.evaluation.metrics;
-    out << run.planner << ',' << run.family << ',' << run.agents << ',' << run.instance_number
-        << ',' << outcomeOf(run) << ',' << metrics.steps << ',' << metrics.makespan << ','
-        << metrics.sum_of_costs << ',' << run.evaluation.sum_of_costs_lower_bound << ','
-        << metrics.arrived << ',';
-    if (run.evaluation.is_solved) {
-      out << run.statistics.first_solution_s;
-    }
-    out << ',' << run.statistics.total_s << ',' << run.statistics.policy_calls << '\n';
+  out << run.planner << ',' << run.family << ',' << run.agents << ',' << run.instance_number << ','
+      << outcomeOf(run) << ',' << metrics.steps << ',' << metrics.makespan << ','
+      << metrics.sum_of_costs << ',' << run.evaluation.sum_of_costs_lower_bound << ','
+      << metrics.arrived << ',';
+  if (run.evaluation.is_solved) {
+    out << run.statistics.first_solution_s;
   }
+  out << ',' << run.statistics.total_s << ',' << run.statistics.policy_calls << '\n';
   return out.str();
+}
+
+std::string toCsv(const std::vector<BenchmarkRun>& runs) {
+  std::string out =
+      "planner,family,agents,instance,outcome,steps,makespan,sum_of_costs,"
+      "sum_of_costs_lower_bound,arrived,seconds_to_first,seconds,policy_calls\n";
+  for (const BenchmarkRun& run : runs) {
+    out += toCsvLine(run);
+  }
+  return out;
 }
 
 std::string toTable(const std::vector<BenchmarkRun>& runs) {

@@ -28,7 +28,7 @@ std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
                                        const std::shared_ptr<const Policy>& policy,
                                        const std::vector<BenchmarkCase>& cases,
                                        const PlanningLimits& limits, int jobs,
-                                       const std::function<void(std::size_t)>& progress) {
+                                       const BenchmarkProgress& progress) {
   std::vector<std::unique_ptr<Planner>> made;
   for (const std::string& name : planners) {
     made.push_back(makePlanner(name, policy));
@@ -49,7 +49,7 @@ std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
         return;
       }
       const std::lock_guard<std::mutex> lock(mutex);
-      progress(++done);
+      progress(runs[index], ++done);
     }
   };
   std::vector<std::thread> threads;

@@ -117,10 +117,12 @@ TEST_F(SuiteTest, RunsGiveTheSamePlansHoweverManyAtATime) {
   std::size_t told = 0;
   const auto runWith = [&](int jobs) {
     told = 0;
-    return runBenchmark(suite.planners, nullptr, cases, suite.limits, jobs, [&](std::size_t done) {
-      EXPECT_EQ(told + 1, done);
-      told = done;
-    });
+    return runBenchmark(suite.planners, nullptr, cases, suite.limits, jobs,
+                        [&](const BenchmarkRun& run, std::size_t done) {
+                          EXPECT_GT(run.agents, 0);
+                          EXPECT_EQ(told + 1, done);
+                          told = done;
+                        });
   };
   const auto one = runWith(1);
   const auto three = runWith(3);

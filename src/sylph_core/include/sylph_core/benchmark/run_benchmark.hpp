@@ -22,17 +22,24 @@ struct BenchmarkRun {
   PlanningStatistics statistics;
 };
 
+/// Told of a run that is over, and of how many are.
+using BenchmarkProgress = std::function<void(const BenchmarkRun&, std::size_t)>;
+
 /// Runs every planner on every case.
 /// @param policy    for the planners that need one, nullptr if none does
 /// @param jobs      cases at a time, > 0; more of them than free cores blur the times
-/// @param progress  told after each run how many are done, never by two threads at once
+/// @param progress  told after each run what came of it and how many are done, never by two threads
+///                  at once
 /// @return          the runs, planners in order, cases in order
 /// @throws std::invalid_argument as makePlanner()
 std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
                                        const std::shared_ptr<const Policy>& policy,
                                        const std::vector<BenchmarkCase>& cases,
                                        const PlanningLimits& limits, int jobs,
-                                       const std::function<void(std::size_t)>& progress);
+                                       const BenchmarkProgress& progress);
+
+/// One line, with its end.
+std::string toCsvLine(const BenchmarkRun& run);
 
 /// One line a run, with a header line.
 std::string toCsv(const std::vector<BenchmarkRun>& runs);
