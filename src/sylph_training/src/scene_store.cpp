@@ -1,11 +1,14 @@
 #include "sylph_training/scene_store.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
 #include <type_traits>
+
+#include "sylph_core/social/svo.hpp"
 
 namespace sylph_training {
 namespace {
@@ -40,6 +43,19 @@ void write(std::ofstream& stream, const T* values, std::size_t count) {
 template <typename T>
 void read(std::ifstream& stream, T* values, std::size_t count) {
   stream.read(reinterpret_cast<char*>(values), static_cast<std::streamsize>(count * sizeof(T)));
+}
+
+/// Whether everything in a scene that is used as an index is one.
+bool isSound(const SceneStore::Span<SceneAgent>& agents, const SceneStore::Span<Sample>& samples) {
+  return std::all_of(agents.begin(), agents.end(),
+                     [&](const SceneAgent& agent) {
+                       return agent.partner < agents.count &&
+                              agent.svo_level < sylph::kSvoLevelCount;
+                     }) &&
+         std::all_of(samples.begin(), samples.end(), [&](const Sample& sample) {
+           return sample.agent < agents.count && sample.action < sylph::kActionCount &&
+                  sample.yielding <= Yielding::Unknown;
+         });
 }
 
 }  // namespace
@@ -128,11 +144,11 @@ void SceneStore::load(const std::string& path) {
   std::vector<Counts> counts(header.scenes);
   read(stream, counts.data(), counts.size());
   Range next{agents_.size(), 0, samples_.size(), 0};
-  std::vector<Range> scenes;
+  std::vector<Range> ranges;
   for (const Counts& count : counts) {
     next.agents = count.agents;
     next.samples = count.samples;
-    scenes.push_back(next);
+    ranges.push_back(next);
     next.first_agent += count.agents;
     next.first_sample += count.samples;
   }
@@ -147,7 +163,16 @@ void SceneStore::load(const std::string& path) {
   if (!stream) {
     throw std::runtime_error(path + ": cannot be read");
   }
-  scenes_.insert(scenes_.end(), scenes.begin(), scenes.end());
+  const SceneAgent* agent = agents.data();
+  const Sample* sample = samples.data();
+  for (const Counts& count : counts) {
+    if (!isSound({agent, count.agents}, {sample, count.samples})) {
+      throw std::runtime_error(path + ": has a scene with a row, level or action out of range");
+    }
+    agent += count.agents;
+    sample += count.samples;
+  }
+  scenes_.insert(scenes_.end(), ranges.begin(), ranges.end());
   agents_.insert(agents_.end(), agents.begin(), agents.end());
   samples_.insert(samples_.end(), samples.begin(), samples.end());
 }

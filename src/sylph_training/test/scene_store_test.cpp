@@ -84,6 +84,37 @@ TEST(SceneStoreTest, DamagedFilesAreRefused) {
   EXPECT_EQ(0U, store.sceneCount());
 }
 
+TEST(SceneStoreTest, RowsOutOfRangeAreRefused) {
+  const sylph::TemporaryFolder folder;
+  Scene sound;
+  sound.agents.resize(2);
+  sound.samples.resize(1);
+  const auto expectRefused = [&](const Scene& scene) {
+    SceneStore store;
+    store.add(scene);
+    store.save(folder.path("scenes"));
+    SceneStore loaded;
+    EXPECT_THROW(loaded.load(folder.path("scenes")), std::runtime_error);
+    EXPECT_EQ(0U, loaded.sceneCount());
+  };
+  SceneStore store;
+  store.add(sound);
+  store.save(folder.path("sound"));
+  EXPECT_NO_THROW(SceneStore().load(folder.path("sound")));
+  Scene broken = sound;
+  broken.agents[1].partner = 2;
+  expectRefused(broken);
+  broken = sound;
+  broken.agents[0].svo_level = 10;
+  expectRefused(broken);
+  broken = sound;
+  broken.samples[0].agent = 2;
+  expectRefused(broken);
+  broken = sound;
+  broken.samples[0].action = 5;
+  expectRefused(broken);
+}
+
 TEST(SceneStoreTest, ViewsArePackedWithoutLoss) {
   sylph::Rng rng(5);
   sylph::Instance instance = sampleWorld({}, rng);
