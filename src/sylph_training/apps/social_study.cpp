@@ -13,7 +13,6 @@
 
 namespace {
 
-using sylph_training::EpisodeRecord;
 using sylph_training::PolicyModel;
 using sylph_training::Rollout;
 using sylph_training::Smp3oSettings;
@@ -51,19 +50,6 @@ Rollout run(PolicyModel& model, const Smp3oSettings& settings, double recess_sha
   return collector.collect(model, settings.environment.max_steps);
 }
 
-/// The first episode of each world: later ones are the more, the shorter they are.
-std::vector<EpisodeRecord> firstEpisodes(const Rollout& rollout, int worlds) {
-  std::vector<EpisodeRecord> first;
-  std::vector<bool> is_there(static_cast<std::size_t>(worlds), false);
-  for (const EpisodeRecord& record : rollout.episodes) {
-    if (!is_there[static_cast<std::size_t>(record.world)]) {
-      is_there[static_cast<std::size_t>(record.world)] = true;
-      first.push_back(record);
-    }
-  }
-  return first;
-}
-
 void writeTrace(const Rollout& rollout, const std::string& path) {
   std::ofstream file(path);
   file << "step,agent,row,col,svo_deg,reward,partner\n";
@@ -93,7 +79,7 @@ int study(const Options& options) {
   for (const auto& [kind, recess_share] : {std::pair("recess", 1.0), std::pair("i_shape", 0.0)}) {
     const Rollout rollout = run(model, settings, recess_share, options.episodes, options);
     for (const auto& [name, value] :
-         sylph_training::figuresOf(firstEpisodes(rollout, options.episodes))) {
+         sylph_training::figuresOf(sylph_training::firstEpisodes(rollout.episodes))) {
       result[kind][name] = value;
     }
   }

@@ -1,3 +1,5 @@
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <atomic>
 #include <csignal>
@@ -18,7 +20,16 @@ struct Options {
   bool resume = false;
 };
 
+/// Large tensors come and go with every step. What the allocator gives back to the system in
+/// between, the system has to clear page by page when it is asked for again.
+void keepFreedMemory() {
+  constexpr int kMostKept = 1 << 30;  // [bytes]
+  mallopt(M_MMAP_MAX, 0);
+  mallopt(M_TRIM_THRESHOLD, kMostKept);
+}
+
 int train(const Options& options) {
+  keepFreedMemory();
   for (const int signal : {SIGINT, SIGTERM}) {
     std::signal(signal, [](int /*signal*/) { stop = true; });
   }

@@ -59,6 +59,16 @@ void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSetti
 
 }  // namespace
 
+ImitationBatch ImitationBatch::to(torch::Device device) const {
+  ImitationBatch moved = *this;
+  moved.input = input.to(device);
+  for (torch::Tensor* tensor :
+       {&moved.targets, &moved.actions, &moved.is_best, &moved.is_valid, &moved.yields}) {
+    *tensor = tensor->to(device);
+  }
+  return moved;
+}
+
 ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelSettings& labels,
                          sylph::Rng& rng) {
   std::int64_t agents = 0;

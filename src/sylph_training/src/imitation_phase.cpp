@@ -138,7 +138,8 @@ std::optional<Figures> ImitationPhase::step(long step) {
     demonstrations_.load(countShards(demonstrations_.folder));
   }
   const ImitationBatch batch =
-      makeBatch(drawBatch(), state_->model->shape().width, settings_.labels, rng_);
+      makeBatch(drawBatch(), state_->model->shape().width, settings_.labels, rng_)
+          .to(state_->settings.device);
   const ImitationLoss loss = imitationLoss(state_->model, batch, settings_);
   const double norm = learner_.step(step, loss.total);
   samples_seen_ += batch.sampleCount();
@@ -187,7 +188,8 @@ void ImitationPhase::validate() {
       drawn += static_cast<int>(store.samples(scene).count);
       if (picks.size() == 64 || scene + stride >= store.sceneCount()) {
         const ImitationBatch batch =
-            makeBatch(picks, state_->model->shape().width, settings_.labels, rng);
+            makeBatch(picks, state_->model->shape().width, settings_.labels, rng)
+                .to(state_->settings.device);
         const ImitationLoss loss = imitationLoss(state_->average, batch, settings_);
         sum.cross_entropy += loss.cross_entropy * drawn;
         sum.accuracy += loss.accuracy * drawn;
@@ -227,6 +229,7 @@ void ImitationPhase::load(torch::serialize::InputArchive& archive) {
   samples_seen_ = value.toInt();
   torch::Tensor validated;
   archive.read("validated", validated);
+  validated = validated.to(torch::kCPU);
   const double* figures = validated.data_ptr<double>();
   validated_ = {{}, figures[0], figures[1], figures[2], figures[3]};
 }

@@ -30,6 +30,17 @@ torch::Tensor splitHeads(const torch::Tensor& rows, int heads) {
 
 }  // namespace
 
+PolicyInput PolicyInput::to(torch::Device device) const {
+  PolicyInput moved = *this;
+  for (torch::Tensor* tensor : {&moved.views, &moved.vectors, &moved.svo, &moved.hop1, &moved.hop2,
+                                &moved.memory, &moved.asked}) {
+    if (tensor->defined()) {
+      *tensor = tensor->to(device);
+    }
+  }
+  return moved;
+}
+
 /// Attention layers with what follows them; the attention itself differs from block to block.
 class PolicyModelImpl::Block : public nn::Module {
  public:
@@ -118,6 +129,14 @@ PolicyModelImpl::PolicyModelImpl(const sylph::NetworkShape& shape, Decoder decod
 
 std::int64_t PolicyModelImpl::memoryWidth() const {
   return decoder_ == Decoder::Lstm ? 2 * shape_.width : shape_.width;
+}
+
+std::vector<torch::Tensor> PolicyModelImpl::criticParameters() const {
+  std::vector<torch::Tensor> parameters = value_head_->parameters();
+  for (const torch::Tensor& parameter : blocking_head_->parameters()) {
+    parameters.push_back(parameter);
+  }
+  return parameters;
 }
 
 PolicyOutput PolicyModelImpl::forward(const PolicyInput& input) {

@@ -90,12 +90,7 @@ RolloutCollector::Decision RolloutCollector::decide(PolicyModel& model) {
   }
   decision.input = batch_.observe();
   decision.input.memory = memory_;
-  PolicyInput moved = decision.input;
-  for (torch::Tensor* tensor :
-       {&moved.views, &moved.vectors, &moved.svo, &moved.hop1, &moved.hop2, &moved.memory}) {
-    *tensor = tensor->to(device_);
-  }
-  decision.output = model->forward(moved);
+  decision.output = model->forward(decision.input.to(device_));
   PolicyOutput& output = decision.output;
   for (torch::Tensor* tensor :
        {&output.actions, &output.svo, &output.values, &output.blocking, &output.memory}) {

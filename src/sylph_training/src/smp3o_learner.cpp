@@ -95,7 +95,8 @@ Smp3oLearner::Smp3oLearner(PolicyModel model, const LearnerOptions& options, tor
   options_.requireValid();
   model_->to(device_);
   optimizer_ = std::make_unique<torch::optim::Adam>(
-      model_->parameters(), torch::optim::AdamOptions(options_.learning_rate));
+      options_.only_critic ? model_->criticParameters() : model_->parameters(),
+      torch::optim::AdamOptions(options_.learning_rate));
 }
 
 LearningStatistics Smp3oLearner::update(const Rollout& rollout, sylph::Rng& rng) {
@@ -189,10 +190,10 @@ LossTerms Smp3oLearner::evaluate(const Rollout& rollout, const Estimates& estima
 }
 
 double Smp3oLearner::takeStep(const torch::Tensor& loss) {
-  optimizer_->zero_grad();
+  model_->zero_grad();
   loss.backward();
-  const double norm =
-      torch::nn::utils::clip_grad_norm_(model_->parameters(), options_.gradient_norm);
+  const double norm = torch::nn::utils::clip_grad_norm_(optimizer_->param_groups().front().params(),
+                                                        options_.gradient_norm);
   optimizer_->step();
   return norm;
 }

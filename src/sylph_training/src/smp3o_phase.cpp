@@ -1,6 +1,8 @@
 #include "sylph_training/smp3o_phase.hpp"
 
 #include <algorithm>
+#include <array>
+#include <set>
 
 #include "sylph_core/search/deadline.hpp"
 #include "sylph_training/learner.hpp"
@@ -10,6 +12,10 @@ namespace sylph_training {
 namespace {
 
 constexpr std::uint32_t kRngOffset = 991;  // a sequence of its own beside those of other phases
+constexpr std::uint32_t kValidationSeed = 1'000'000'007;
+// Which figures of the episodes in worlds that the policy does not learn from are logged.
+constexpr std::array<const char*, 4> kValidated = {"solved", "goals_reached", "episode_steps",
+                                                   "external_reward"};
 
 /// The model, with what the phase before would have exported.
 PolicyModel& prepared(RunState& state, const Smp3oSettings& settings) {
@@ -25,7 +31,7 @@ PolicyModel& prepared(RunState& state, const Smp3oSettings& settings) {
 Smp3oPhase::Smp3oPhase(const Smp3oSettings& settings, RunState& state)
     : settings_(settings),
       state_(&state),
-      learner_(prepared(state, settings), settings.learner, torch::kCPU),
+      learner_(prepared(state, settings), settings.learner, state.settings.device),
       rng_(state.settings.seed + kRngOffset) {
   if (settings.imitation_rate > 0.0) {
     imitation_ = std::make_unique<ImitationPhase>(*settings.imitation, state);
@@ -33,14 +39,32 @@ Smp3oPhase::Smp3oPhase(const Smp3oSettings& settings, RunState& state)
 }
 
 std::pair<std::string, double> Smp3oPhase::workPerStep() const {
-  return {"agent steps", last_rows_};
+  return {"agent steps", rows_per_step_};
 }
 
 WorldSource Smp3oPhase::worldSource() const {
   if (settings_.symmetric) {
     return [spec = *settings_.symmetric](sylph::Rng& rng) { return symmetricWorld(spec, rng); };
   }
-  return [worlds = state_->settings.worlds](sylph::Rng& rng) { return sampleWorld(worlds, rng); };
+  const WorldSettings worlds = settings_.worlds.value_or(state_->settings.worlds);
+  return [worlds](sylph::Rng& rng) { return sampleWorld(worlds, rng); };
+}
+
+RolloutCollector Smp3oPhase::makeCollector(int environments, std::uint32_t seed) const {
+  return {EnvironmentBatch(worldSource(), settings_.environment, settings_.svo, environments, seed),
+          settings_.memory, state_->settings.device};
+}
+
+void Smp3oPhase::validate() {
+  RolloutCollector collector = makeCollector(settings_.validation_environments, kValidationSeed);
+  const Rollout rollout = collector.collect(learner_.model(), settings_.environment.max_steps);
+  const Figures figures = sylph_training::figuresOf(firstEpisodes(rollout.episodes));
+  validated_.clear();
+  for (const char* name : kValidated) {
+    validated_.push_back(std::find_if(figures.begin(), figures.end(), [&](const auto& figure) {
+                           return figure.first == name;
+                         })->second);
+  }
 }
 
 // Worlds begin anew with each step, so that a checkpoint need not hold any of them.
@@ -52,15 +76,19 @@ std::optional<Figures> Smp3oPhase::step(long step) {
     imitation_->step(imitation_steps_++ % imitation_->steps());
     return std::nullopt;
   }
+  if (rollouts_++ % settings_.validation_rollouts == 0) {
+    validate();
+  }
   const sylph::Deadline clock(0.0);
-  RolloutCollector collector(
-      EnvironmentBatch(worldSource(), settings_.environment, settings_.svo, settings_.worlds, seed),
-      settings_.memory, torch::kCPU);
-  const Rollout rollout = collector.collect(learner_.model(), settings_.rollout_steps);
+  const Rollout rollout = makeCollector(settings_.environments, seed)
+                              .collect(learner_.model(), settings_.rollout_steps);
   const LearningStatistics learning = learner_.update(rollout, rng_);
   copyWeights(state_->model, state_->average);
-  last_rows_ = static_cast<double>(rollout.rowCount());
   agent_steps_ += rollout.rowCount();
+  rows_per_step_ = static_cast<double>(agent_steps_) / static_cast<double>(step + 1);
+  if (is_last) {
+    validate();
+  }
   return figuresOf(rollout, learning, clock.elapsed());
 }
 
@@ -85,7 +113,18 @@ Figures Smp3oPhase::figuresOf(const Rollout& rollout, const LearningStatistics& 
       {"divergence", learning.divergence},
       {"gradient_norm", learning.gradient_norm}};
   figures.insert(figures.end(), learned.begin(), learned.end());
+  for (std::size_t index = 0; index < kValidated.size(); ++index) {
+    figures.emplace_back(std::string("validation_") + kValidated[index], validated_[index]);
+  }
   return figures;
+}
+
+std::vector<EpisodeRecord> firstEpisodes(const std::vector<EpisodeRecord>& episodes) {
+  std::vector<EpisodeRecord> first;
+  std::set<int> worlds;
+  std::copy_if(episodes.begin(), episodes.end(), std::back_inserter(first),
+               [&](const EpisodeRecord& episode) { return worlds.insert(episode.world).second; });
+  return first;
 }
 
 Figures figuresOf(const std::vector<EpisodeRecord>& episodes) {
@@ -118,6 +157,8 @@ void Smp3oPhase::save(torch::serialize::OutputArchive& archive) const {
   sylph_training::save(archive, "rng", rng_);
   archive.write("agent_steps", c10::IValue(static_cast<std::int64_t>(agent_steps_)));
   archive.write("imitation_steps", c10::IValue(static_cast<std::int64_t>(imitation_steps_)));
+  archive.write("rollouts", c10::IValue(static_cast<std::int64_t>(rollouts_)));
+  archive.write("validated", torch::tensor(validated_, torch::kDouble));
   if (imitation_) {
     torch::serialize::OutputArchive part(archive.compilation_unit());
     imitation_->save(part);
@@ -135,6 +176,12 @@ void Smp3oPhase::load(torch::serialize::InputArchive& archive) {
   agent_steps_ = value.toInt();
   archive.read("imitation_steps", value);
   imitation_steps_ = value.toInt();
+  archive.read("rollouts", value);
+  rollouts_ = value.toInt();
+  torch::Tensor validated;
+  archive.read("validated", validated);
+  validated = validated.to(torch::kCPU);
+  validated_.assign(validated.data_ptr<double>(), validated.data_ptr<double>() + validated.numel());
   if (imitation_) {
     archive.read("imitation", part);
     imitation_->load(part);

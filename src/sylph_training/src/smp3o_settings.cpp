@@ -80,6 +80,7 @@ LearnerOptions readLearner(const YamlMap& yaml) {
   options.crossed_advantages = yaml.boolean("crossed_advantages", options.crossed_advantages);
   readNumber(yaml, "learning_rate", Range::positive(), options.learning_rate);
   readNumber(yaml, "gradient_norm", Range::positive(), options.gradient_norm);
+  options.only_critic = yaml.boolean("only_critic", options.only_critic);
   readCount(yaml, "epochs", options.epochs);
   readCount(yaml, "minibatch", options.minibatch_rows);
   readCount(yaml, "sequence_length", options.sequence_length);
@@ -94,12 +95,14 @@ LearnerOptions readLearner(const YamlMap& yaml) {
 Smp3oSettings Smp3oSettings::read(const YamlMap& yaml) {
   yaml.requireOnly({"kind",
                     "steps",
+                    "environments",
                     "worlds",
                     "rollout_steps",
                     "memory",
                     "precision",
-
                     "symmetric",
+                    "validation_rollouts",
+                    "validation_environments",
                     "imitation_rate",
                     "imitation",
                     "tie_breaking",
@@ -114,19 +117,25 @@ Smp3oSettings Smp3oSettings::read(const YamlMap& yaml) {
                     "crossed_advantages",
                     "learning_rate",
                     "gradient_norm",
+                    "only_critic",
                     "epochs",
                     "minibatch",
                     "sequence_length",
                     "loss"});
   Smp3oSettings settings;
   settings.steps = yaml.integer("steps", settings.steps, 1, 1000000000);
-  readCount(yaml, "worlds", settings.worlds);
+  readCount(yaml, "environments", settings.environments);
   readCount(yaml, "rollout_steps", settings.rollout_steps);
   settings.memory = yaml.boolean("memory", settings.memory);
   settings.bfloat16 = yaml.word("precision", {"bfloat16", "float"}, "float") == "bfloat16";
+  if (const auto worlds = yaml.map("worlds")) {
+    settings.worlds = WorldSettings::read(*worlds);
+  }
   if (const auto symmetric = yaml.map("symmetric")) {
     settings.symmetric = readSymmetric(*symmetric);
   }
+  readCount(yaml, "validation_rollouts", settings.validation_rollouts);
+  readCount(yaml, "validation_environments", settings.validation_environments);
   readNumber(yaml, "imitation_rate", {0.0, 1.0}, settings.imitation_rate);
   if (const auto imitation = yaml.map("imitation")) {
     settings.imitation = ImitationSettings::read(*imitation);

@@ -109,6 +109,8 @@ Trainer::Trainer(TrainingSettings settings, std::string folder, bool resume,
     importWeights(sylph::loadTensorFile(weights_path), state_.model);
   }
   copyWeights(state_.model, state_.average);
+  state_.model->to(state_.settings.device);
+  state_.average->to(state_.settings.device);
   std::filesystem::create_directories(state_.folder);
   const bool is_there = std::filesystem::exists(path(kCheckpoint));
   if (is_there && !resume) {
@@ -123,7 +125,7 @@ Trainer::Trainer(TrainingSettings settings, std::string folder, bool resume,
 bool Trainer::run(const std::atomic<bool>& stop) {
   if (is_resumed_) {
     torch::serialize::InputArchive archive;
-    archive.load_from(path(kCheckpoint));
+    archive.load_from(path(kCheckpoint), state_.settings.device);
     first_phase_ = static_cast<std::size_t>(readInteger(archive, "phase_index"));
     first_step_ = readInteger(archive, "step");
     readWeights(archive, "model", state_.model);
@@ -146,7 +148,7 @@ bool Trainer::runPhase(std::size_t phase_index, const std::atomic<bool>& stop) {
   if (is_resumed_) {
     torch::serialize::InputArchive archive;
     torch::serialize::InputArchive part;
-    archive.load_from(path(kCheckpoint));
+    archive.load_from(path(kCheckpoint), state_.settings.device);
     archive.read("phase", part);
     phase->load(part);
   }

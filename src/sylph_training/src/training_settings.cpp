@@ -30,12 +30,22 @@ sylph::NetworkShape readNetwork(const sylph::YamlMap& yaml) {
   return shape;
 }
 
+torch::Device readDevice(const sylph::YamlMap& yaml) {
+  if (yaml.word("device", {"cpu", "cuda"}, "cpu") == "cpu") {
+    return torch::kCPU;
+  }
+  if (!torch::cuda::is_available()) {
+    throw yaml.error("device", "is 'cuda', but libtorch finds no such device; allowed: cpu");
+  }
+  return torch::kCUDA;
+}
+
 }  // namespace
 
 TrainingSettings TrainingSettings::load(const std::string& path) {
   const sylph::YamlMap yaml = sylph::YamlMap::load(path);
-  yaml.requireOnly({"seed", "threads", "checkpoint_interval_s", "progress_interval_s", "network",
-                    "decoder", "worlds", "demonstrations", "shards", "validation_shards",
+  yaml.requireOnly({"seed", "device", "threads", "checkpoint_interval_s", "progress_interval_s",
+                    "network", "decoder", "worlds", "demonstrations", "shards", "validation_shards",
                     "worlds_per_shard", "phases"});
   TrainingSettings settings;
   const auto count = [&](const std::string& key, int otherwise) {
@@ -43,6 +53,7 @@ TrainingSettings TrainingSettings::load(const std::string& path) {
   };
   settings.seed = static_cast<std::uint32_t>(
       yaml.integer("seed", settings.seed, 0, std::numeric_limits<std::uint32_t>::max()));
+  settings.device = readDevice(yaml);
   settings.threads = count("threads", settings.threads);
   settings.checkpoint_interval_s = yaml.number(
       "checkpoint_interval_s", settings.checkpoint_interval_s, sylph::Range::positive());

@@ -1,6 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
 #include "sylph_training/imitation_phase.hpp"
+#include "sylph_training/smp3o_phase.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph_training {
@@ -39,11 +42,24 @@ TEST(TrainingSettingsTest, MalformedFieldsAreNamed) {
               "demonstrations.improvement_s");
 }
 
-TEST(TrainingSettingsTest, TheShippedConfigurationIsSound) {
-  const auto settings = TrainingSettings::load("config/sylph.yaml");
-  ASSERT_FALSE(settings.phases.empty());
-  for (const sylph::YamlMap& phase : settings.phases) {
-    EXPECT_GT(ImitationSettings::read(phase).steps, 0);
+TEST(TrainingSettingsTest, ADeviceThatIsNotThereIsAnError) {
+  expectError("device: tpu\nphases: [{kind: imitation}]\n", "device");
+  EXPECT_EQ("", errorOf("device: cpu\nphases: [{kind: imitation}]\n"));
+  if (!torch::cuda::is_available()) {
+    expectError("device: cuda\nphases: [{kind: imitation}]\n", "device: is 'cuda'");
+  }
+}
+
+TEST(TrainingSettingsTest, TheShippedConfigurationsAreSound) {
+  for (const auto& entry : std::filesystem::directory_iterator("config")) {
+    SCOPED_TRACE(entry.path());
+    const auto settings = TrainingSettings::load(entry.path());
+    ASSERT_FALSE(settings.phases.empty());
+    for (const sylph::YamlMap& phase : settings.phases) {
+      EXPECT_GT(phase.text("kind") == "smp3o" ? Smp3oSettings::read(phase).steps
+                                              : ImitationSettings::read(phase).steps,
+                0);
+    }
   }
 }
 

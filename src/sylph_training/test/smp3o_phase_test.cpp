@@ -41,7 +41,7 @@ void expectError(const std::string& phase, const std::string& field) {
 
 TEST(Smp3oSettingsTest, DefaultsAreThoseOfThePaper) {
   const auto settings = Smp3oSettings::read(settingsFrom("steps: 1").phases.front());
-  EXPECT_EQ(16, settings.worlds);
+  EXPECT_EQ(16, settings.environments);
   EXPECT_EQ(256, settings.rollout_steps);
   EXPECT_EQ(256, settings.environment.max_steps);
   EXPECT_EQ(-0.3, settings.environment.rewards.move);
@@ -75,21 +75,9 @@ TEST(Smp3oSettingsTest, MalformedFieldsAreNamed) {
   expectError("imitation_rate: 0.5", "imitation");
 }
 
-TEST(Smp3oSettingsTest, TheShippedConfigurationsAreSound) {
-  for (const char* path :
-       {"config/smp3o.yaml", "config/symmetric_social.yaml", "config/symmetric_selfish.yaml"}) {
-    SCOPED_TRACE(path);
-    const auto settings = TrainingSettings::load(path);
-    ASSERT_FALSE(settings.phases.empty());
-    for (const sylph::YamlMap& phase : settings.phases) {
-      EXPECT_GT(Smp3oSettings::read(phase).steps, 0);
-    }
-  }
-}
-
 TEST(Smp3oPhaseTest, GoesOnFromACheckpointAsIfNothingHadHappened) {
   const TrainingSettings settings = settingsFrom(
-      "steps: 3, worlds: 2, rollout_steps: 12, max_steps: 10, minibatch: 32, epochs: 2, "
+      "steps: 3, environments: 2, rollout_steps: 12, max_steps: 10, minibatch: 32, epochs: 2, "
       "learning_rate: 0.001, sequence_length: 3, symmetric: {}");
   const auto phase_settings = Smp3oSettings::read(settings.phases.front());
   RunState state = stateOf(settings);
@@ -117,9 +105,39 @@ TEST(Smp3oPhaseTest, GoesOnFromACheckpointAsIfNothingHadHappened) {
   EXPECT_EQ("true", phase.notes().at("memory"));
 }
 
+TEST(Smp3oPhaseTest, ValidatesOnTheSameWorldsAgainAndAgain) {
+  const TrainingSettings settings = settingsFrom(
+      "steps: 3, environments: 2, rollout_steps: 4, max_steps: 10, minibatch: 32, epochs: 1, "
+      "learning_rate: 1.0e-12, symmetric: {}, validation_rollouts: 2, validation_environments: 6");
+  RunState state = stateOf(settings);
+  Smp3oPhase phase(Smp3oSettings::read(settings.phases.front()), state);
+  const auto validated = [&](long step) {
+    const Figures figures = phase.step(step).value();
+    return std::vector<Figures::value_type>(figures.end() - 4, figures.end());
+  };
+  const auto at_first = validated(0);
+  EXPECT_EQ("validation_solved", at_first.front().first);
+  EXPECT_LT(at_first.back().second, 0.0);  // the reward of a policy that knows nothing
+  EXPECT_EQ(at_first, validated(1));
+  EXPECT_EQ(at_first, validated(2));  // measured anew, of a policy that has hardly changed
+}
+
+TEST(Smp3oPhaseTest, CountsTheFirstEpisodeOfEachWorldOnly) {
+  std::vector<EpisodeRecord> episodes(4);
+  episodes[0].world = 1;
+  episodes[0].steps = 9;
+  episodes[1].world = 0;
+  episodes[2].world = 1;
+  episodes[3].world = 0;
+  const auto first = firstEpisodes(episodes);
+  ASSERT_EQ(2U, first.size());
+  EXPECT_EQ(9, first[0].steps);
+  EXPECT_EQ(0, first[1].world);
+}
+
 TEST(Smp3oPhaseTest, LearnsWithAnLstmToo) {
   TrainingSettings settings = settingsFrom(
-      "steps: 1, worlds: 2, rollout_steps: 8, max_steps: 10, minibatch: 32, epochs: 1, "
+      "steps: 1, environments: 2, rollout_steps: 8, max_steps: 10, minibatch: 32, epochs: 1, "
       "sequence_length: 4, symmetric: {}, learning_rate: 0.001");
   settings.decoder = Decoder::Lstm;
   RunState state = stateOf(settings);

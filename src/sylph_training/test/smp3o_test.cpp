@@ -285,6 +285,27 @@ TEST(Smp3oLearnerTest, LearnsToWalkToTheGoal) {
   EXPECT_LT(at_last, 4.5);
 }
 
+TEST(Smp3oLearnerTest, TeachesTheCriticAlone) {
+  torch::manual_seed(5);
+  PolicyModel model(smallShape());
+  const sylph::TensorFile before = exportWeights(model);
+  RolloutCollector collector(smallBatch(4, 20), true, torch::kCPU);
+  LearnerOptions options;
+  options.learning_rate = 1e-2;
+  options.epochs = 3;
+  options.only_critic = true;
+  Smp3oLearner learner(model, options, torch::kCPU);
+  sylph::Rng rng(2);
+  const Rollout rollout = collector.collect(learner.model(), 10);
+  const double at_first = learner.update(rollout, rng).value;
+  EXPECT_LT(learner.update(rollout, rng).value, at_first);
+  for (const auto& [name, tensor] : exportWeights(model).tensors) {
+    const bool is_critics =
+        name.rfind("heads.value", 0) == 0 || name.rfind("heads.blocking", 0) == 0;
+    EXPECT_EQ(!is_critics, tensor.values == before.tensors.at(name).values) << name;
+  }
+}
+
 TEST(Smp3oLearnerTest, GradientsGoBackThroughTheMemoryOnlyAsFarAsAsked) {
   const auto weightAfter = [](int sequence_length) {
     torch::manual_seed(5);

@@ -31,6 +31,7 @@ struct ImitationBatch {
   torch::Tensor is_valid;  ///< a x 5: 1 where the action hits nothing
   torch::Tensor yields;    ///< a: 1 if the agent gives way to its partner, 0 if not, -1 unknown
 
+  ImitationBatch to(torch::Device device) const;
   std::int64_t sampleCount() const { return actions.size(0); }
 };
 

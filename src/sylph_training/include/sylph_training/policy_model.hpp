@@ -16,6 +16,8 @@ struct PolicyInput {
   torch::Tensor hop2;     ///< n x n sparse: likewise its square
   torch::Tensor memory;   ///< a x memoryWidth()
   torch::Tensor asked;    ///< a: rows of the agents that are asked for, int64; undefined: all
+
+  PolicyInput to(torch::Device device) const;
 };
 
 struct PolicyOutput {
@@ -50,6 +52,8 @@ class PolicyModelImpl : public torch::nn::Module {
   /// In which type the views are encoded, which is most of the work: torch::kFloat, the default, or
   /// torch::kBFloat16, about twice as fast where the processor knows it. Weights stay in float.
   void setEncoderType(torch::ScalarType type) { encoder_type_ = type; }
+  /// Parameters of the value and blocking heads.
+  std::vector<torch::Tensor> criticParameters() const;
   const sylph::NetworkShape& shape() const { return shape_; }
 
  private:

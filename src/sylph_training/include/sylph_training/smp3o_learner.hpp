@@ -21,11 +21,14 @@ struct LearnerOptions {
   LossWeights weights;
   double stability_kappa = 5.0;    ///< overlap from which on an agent keeps its SVO, > 0
   bool crossed_advantages = true;  ///< each policy learns from the other's reward
-  double learning_rate = 1e-5;     ///< of Adam, > 0
-  double gradient_norm = 10.0;     ///< to which gradients are clipped, > 0
-  int epochs = 10;                 ///< over each rollout, > 0
-  int minibatch_rows = 2048;       ///< agent steps to an update, about, > 0
-  int sequence_length = 1;         ///< steps that gradients go back through the memory, > 0
+  /// Teach the value and blocking heads alone: those of a network that has learned by imitation
+  /// know nothing yet, and what they say would lead its policies astray.
+  bool only_critic = false;
+  double learning_rate = 1e-5;  ///< of Adam, > 0
+  double gradient_norm = 10.0;  ///< to which gradients are clipped, > 0
+  int epochs = 10;              ///< over each rollout, > 0
+  int minibatch_rows = 2048;    ///< agent steps to an update, about, > 0
+  int sequence_length = 1;      ///< steps that gradients go back through the memory, > 0
 
   /// @throws std::invalid_argument naming the member and what is allowed
   void requireValid() const;

@@ -5,10 +5,12 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "sylph_training/environment_batch.hpp"
 #include "sylph_training/imitation_phase.hpp"
 #include "sylph_training/phase.hpp"
+#include "sylph_training/rollout.hpp"
 #include "sylph_training/smp3o_learner.hpp"
 #include "sylph_training/symmetric_worlds.hpp"
 
@@ -17,11 +19,14 @@ namespace sylph_training {
 /// How the policy learns by reinforcement.
 struct Smp3oSettings {
   long steps = 488;         ///< rollouts, > 0; the default makes the paper's 2e7 agent steps ...
-  int worlds = 16;          ///< ... with 16 worlds side by side, > 0 ...
+  int environments = 16;    ///< ... with 16 worlds side by side, > 0 ...
   int rollout_steps = 256;  ///< ... for 256 steps, > 0, of about 10 agents
   bool memory = true;       ///< feed the network's memory back from step to step
   bool bfloat16 = false;    ///< encode views in bfloat16
-  std::optional<SymmetricWorldSpec> symmetric;  ///< worlds of the case study instead of the run's
+  std::optional<WorldSettings> worlds;          ///< instead of the run's
+  std::optional<SymmetricWorldSpec> symmetric;  ///< worlds of the case study instead
+  int validation_rollouts = 10;                 ///< rollouts between evaluations, > 0, on ...
+  int validation_environments = 24;             ///< ... so many worlds, > 0, always the same
   double imitation_rate = 0.0;                  ///< chance of a step of imitation instead, 0 ... 1
   std::optional<ImitationSettings> imitation;   ///< settings of those steps
   EnvironmentOptions environment;
@@ -46,6 +51,8 @@ class Smp3oPhase : public Phase {
 
  private:
   WorldSource worldSource() const;
+  RolloutCollector makeCollector(int environments, std::uint32_t seed) const;
+  void validate();
   Figures figuresOf(const Rollout& rollout, const LearningStatistics& learning,
                     double seconds) const;
 
@@ -54,10 +61,16 @@ class Smp3oPhase : public Phase {
   Smp3oLearner learner_;
   std::unique_ptr<Phase> imitation_;
   sylph::Rng rng_;
+  std::vector<double> validated_;  // as kValidated in the source file
+  long rollouts_ = 0;
   long imitation_steps_ = 0;
   long agent_steps_ = 0;
-  double last_rows_ = 0.0;
+  double rows_per_step_ = 0.0;  // steps of imitation count too
 };
+
+/// The first episode of each world, where it ended: of those that follow there are the more, the
+/// shorter they are.
+std::vector<EpisodeRecord> firstEpisodes(const std::vector<EpisodeRecord>& episodes);
 
 /// What is measured of a rollout's episodes, each a mean over the episodes that ended.
 Figures figuresOf(const std::vector<EpisodeRecord>& episodes);

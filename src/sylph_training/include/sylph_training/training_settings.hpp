@@ -14,7 +14,8 @@ namespace sylph_training {
 /// A training run as its configuration file describes it.
 struct TrainingSettings {
   std::uint32_t seed = 0;
-  int threads = 1;                       ///< of libtorch, > 0
+  torch::Device device = torch::kCPU;    ///< where the network learns
+  int threads = 1;                       ///< of libtorch on the processor, > 0
   double checkpoint_interval_s = 120.0;  ///< wall time between checkpoints [s], > 0
   double progress_interval_s = 10.0;     ///< wall time between lines of progress [s], > 0
   sylph::NetworkShape network;
