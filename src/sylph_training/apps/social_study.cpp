@@ -9,6 +9,7 @@
 #include "sylph_core/policy/tensor_file.hpp"
 #include "sylph_training/rollout.hpp"
 #include "sylph_training/smp3o_phase.hpp"
+#include "sylph_training/threads.hpp"
 #include "sylph_training/training_settings.hpp"
 
 namespace {
@@ -74,7 +75,7 @@ int study(const Options& options) {
   const Smp3oSettings settings = settingsOf(training);
   PolicyModel model(training.network, training.decoder);
   importWeights(sylph::loadTensorFile(options.weights), model);
-  torch::set_num_threads(training.threads);
+  sylph_training::useThreads(training.threads);
   nlohmann::ordered_json result;
   for (const auto& [kind, recess_share] : {std::pair("recess", 1.0), std::pair("i_shape", 0.0)}) {
     const Rollout rollout = run(model, settings, recess_share, options.episodes, options);

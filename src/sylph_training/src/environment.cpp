@@ -171,7 +171,11 @@ void Environment::shareRewards(const std::vector<float>& drawn_svo_deg,
     const double own = outcome.external[agent];
     const double partners = outcome.external[static_cast<std::size_t>(partner_ids_[agent])];
     outcome.social.push_back((own + partners) / options_.rewards.svo_importance);
-    outcome.action.push_back(sylph::redistributedReward(own, partners, drawn_svo_deg[agent]));
+    const double scale = options_.rewards.mean_by_svo
+                             ? sylph::redistributedReward(1.0, 1.0, drawn_svo_deg[agent])
+                             : 1.0;
+    outcome.action.push_back(sylph::redistributedReward(own, partners, drawn_svo_deg[agent]) /
+                             scale);
   }
 }
 

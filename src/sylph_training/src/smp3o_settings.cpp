@@ -32,7 +32,7 @@ void readCount(const YamlMap& yaml, const std::string& key, int& value) {
 RewardOptions readRewards(const YamlMap& yaml) {
   RewardOptions rewards;
   yaml.requireOnly({"move", "stay_off_goal", "stay_on_goal", "collision", "blocking",
-                    "blocking_detour_cells", "svo_importance"});
+                    "blocking_detour_cells", "mean_by_svo", "svo_importance"});
   readNumber(yaml, "move", {}, rewards.move);
   readNumber(yaml, "stay_off_goal", {}, rewards.stay_off_goal);
   readNumber(yaml, "stay_on_goal", {}, rewards.stay_on_goal);
@@ -40,6 +40,7 @@ RewardOptions readRewards(const YamlMap& yaml) {
   readNumber(yaml, "blocking", {}, rewards.blocking);
   rewards.blocking_detour_cells = static_cast<int>(
       yaml.integer("blocking_detour_cells", rewards.blocking_detour_cells, 0, 1000000));
+  rewards.mean_by_svo = yaml.boolean("mean_by_svo", rewards.mean_by_svo);
   readNumber(yaml, "svo_importance", Range::positive(), rewards.svo_importance);
   return rewards;
 }

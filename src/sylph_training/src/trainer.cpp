@@ -12,6 +12,7 @@
 #include "sylph_core/policy/tensor_file.hpp"
 #include "sylph_core/search/deadline.hpp"
 #include "sylph_training/learner.hpp"
+#include "sylph_training/threads.hpp"
 
 namespace sylph_training {
 namespace {
@@ -101,7 +102,7 @@ class Trainer::Log {
 Trainer::Trainer(TrainingSettings settings, std::string folder, bool resume,
                  const std::string& weights_path)
     : state_{std::move(settings), std::move(folder), nullptr, nullptr}, is_resumed_(resume) {
-  torch::set_num_threads(state_.settings.threads);
+  useThreads(state_.settings.threads);
   torch::manual_seed(state_.settings.seed);
   state_.model = PolicyModel(state_.settings.network, state_.settings.decoder);
   state_.average = PolicyModel(state_.settings.network, state_.settings.decoder);

@@ -230,6 +230,23 @@ TEST(EnvironmentTest, OneThatRestsOnItsGoalInACorridorPaysForWhoCannotPass) {
   EXPECT_NEAR(-1.3 * std::sqrt(0.5), outcome.action[1], 1e-12);
 }
 
+TEST(EnvironmentTest, AMeanBySvoLeavesEqualRewardsAsTheyAre) {
+  EnvironmentOptions options;
+  options.rewards.mean_by_svo = true;
+  const sylph::Instance blocked = instanceOf(".....\n", {{0, 2}, {0, 0}}, {{0, 2}, {0, 4}});
+  Environment world(blocked, options, {0.F, 0.F});
+  const StepOutcome halves = world.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {45.F, 45.F}});
+  EXPECT_NEAR(-0.65, halves.action[0], 1e-6);  // of -1 and -0.3
+  EXPECT_NEAR(-0.65, halves.action[1], 1e-6);
+  const StepOutcome own = world.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {0.F, 0.F}});
+  EXPECT_EQ(own.external, own.action);
+  options.partners = false;
+  Environment alone(blocked, options, {0.F, 0.F});
+  const StepOutcome step = alone.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {45.F, 20.F}});
+  EXPECT_NEAR(-1.0, step.action[0], 1e-6);
+  EXPECT_NEAR(-0.3, step.action[1], 1e-6);
+}
+
 TEST(EnvironmentTest, TheMoreProsocialYieldsUnderTieBreakingAndBothStayWithout) {
   const sylph::Instance crossing =
       instanceOf("#.#\n...\n#.#\n", {{1, 0}, {0, 1}}, {{1, 2}, {2, 1}});

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sylph_training/learner.hpp"
+#include "sylph_training/threads.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph_training {
@@ -21,7 +22,7 @@ TrainingSettings settingsFrom(const std::string& phase) {
 }
 
 RunState stateOf(const TrainingSettings& settings) {
-  torch::set_num_threads(1);
+  useThreads(1);
   torch::manual_seed(3);
   RunState state{settings, "", PolicyModel(settings.network, settings.decoder),
                  PolicyModel(settings.network, settings.decoder)};

@@ -11,6 +11,7 @@
 #include "sylph_training/smp3o_learner.hpp"
 #include "sylph_training/smp3o_losses.hpp"
 #include "sylph_training/symmetric_worlds.hpp"
+#include "sylph_training/threads.hpp"
 
 namespace sylph_training {
 namespace {
@@ -249,7 +250,7 @@ TEST(RolloutTest, SolvedEpisodesEndWithoutValueAndOthersWithTheirs) {
 }
 
 TEST(Smp3oLearnerTest, LearnsToWalkToTheGoal) {
-  torch::set_num_threads(1);
+  useThreads(1);
   torch::manual_seed(5);
   const WorldSource corridor = [](sylph::Rng& rng) {
     const int start = static_cast<int>(sylph::drawIndex(rng, 6));

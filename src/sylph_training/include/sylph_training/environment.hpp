@@ -18,7 +18,10 @@ struct RewardOptions {
   double collision = -2.0;         ///< instead of the above, for who is to blame
   double blocking = -1.0;          ///< per agent blocked by one that rests on its goal
   int blocking_detour_cells = 10;  ///< a longer way round than this counts as blocked, >= 0
-  double svo_importance = 2.0;     ///< rho: the social reward is (own + partner's) / rho, > 0
+  /// R^a over cos(Z) + sin(Z), which makes it a mean. The paper's sum of costs is the least for the
+  /// selfish whatever happens, and an SVO that learns from it hardly leaves 0.
+  bool mean_by_svo = false;
+  double svo_importance = 2.0;  ///< rho: the social reward is (own + partner's) / rho, > 0
 };
 
 struct EnvironmentOptions {
