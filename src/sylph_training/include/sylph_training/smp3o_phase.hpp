@@ -18,12 +18,14 @@ namespace sylph_training {
 
 /// How the policy learns by reinforcement.
 struct Smp3oSettings {
-  long steps = 488;         ///< rollouts, > 0; the default makes the paper's 2e7 agent steps ...
-  int environments = 16;    ///< ... with 16 worlds side by side, > 0 ...
-  int rollout_steps = 256;  ///< ... for 256 steps, > 0, of about 10 agents
-  bool memory = true;       ///< feed the network's memory back from step to step
-  bool bfloat16 = false;    ///< encode views in bfloat16
-  std::optional<WorldSettings> worlds;          ///< instead of the run's
+  /// Rollouts and, in between, steps of imitation, > 0. The default makes the paper's 2e7 agent
+  /// steps if none is of imitation ...
+  long steps = 488;
+  int environments = 16;                ///< ... with 16 worlds side by side, > 0 ...
+  int rollout_steps = 256;              ///< ... for 256 steps, > 0, of about 10 agents
+  bool memory = true;                   ///< feed the network's memory back from step to step
+  bool bfloat16 = false;                ///< encode views in bfloat16
+  std::optional<WorldSettings> worlds;  ///< instead of the run's
   std::optional<SymmetricWorldSpec> symmetric;  ///< worlds of the case study instead
   int validation_rollouts = 10;                 ///< rollouts between evaluations, > 0, on ...
   int validation_environments = 24;             ///< ... so many worlds, > 0, always the same
@@ -37,7 +39,8 @@ struct Smp3oSettings {
   static Smp3oSettings read(const sylph::YamlMap& yaml);
 };
 
-/// Learning by SMP3O. A step is a rollout, in worlds that all begin anew, and some epochs over it.
+/// Learning by SMP3O. A step is a rollout, in worlds that all begin anew, and some epochs over it,
+/// or now and then one of imitation.
 class Smp3oPhase : public Phase {
  public:
   Smp3oPhase(const Smp3oSettings& settings, RunState& state);
