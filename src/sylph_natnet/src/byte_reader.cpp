@@ -91,6 +91,13 @@ void ByteReader::skip(std::size_t bytes, const char* field) {
   advance(bytes, field);
 }
 
+void ByteReader::requireEnd(const char* message) const {
+  if (size_ > 0) {
+    throw ParseError(std::string(message) + ": " + std::to_string(size_) +
+                     " bytes are left behind its end");
+  }
+}
+
 ByteReader ByteReader::take(std::size_t bytes, const char* field) {
   return {advance(bytes, field), bytes};
 }

@@ -22,8 +22,8 @@ bool operator==(const RigidBodyDefinition& a, const RigidBodyDefinition& b) {
 }
 
 bool operator==(const ModelDefinitions& a, const ModelDefinitions& b) {
-  return std::tie(a.rigid_bodies, a.marker_sets, a.complete) ==
-         std::tie(b.rigid_bodies, b.marker_sets, b.complete);
+  return std::tie(a.rigid_bodies, a.marker_sets, a.unread) ==
+         std::tie(b.rigid_bodies, b.marker_sets, b.unread);
 }
 
 bool operator==(const ServerInfo& a, const ServerInfo& b) {

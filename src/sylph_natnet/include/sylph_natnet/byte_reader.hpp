@@ -40,6 +40,8 @@ class ByteReader {
   std::size_t readCount(std::size_t least_item_bytes, const char* field);
 
   void skip(std::size_t bytes, const char* field);
+  /// Bytes behind the last field belong to another layout.
+  void requireEnd(const char* message) const;
   /// The next `bytes` as a reader of its own.
   ByteReader take(std::size_t bytes, const char* field);
 

@@ -6,10 +6,11 @@
 
 namespace sylph_natnet {
 
-/// Reads model definitions: rigid bodies and the names of marker sets. From 4.1 on, where each
-/// description tells its size, all others are skipped; before, the first that is not one of the two
-/// ends the reading and `complete` is false.
-/// @throws ParseError if the payload ends early or a count cannot be true
+/// Reads model definitions: rigid bodies and the names of marker sets. Skeletons, force plates,
+/// devices, cameras and trained assets are passed: from 4.1 on by the size that they tell, before
+/// by their layout. One whose layout is not known ends the reading; `unread` names it.
+/// @throws ParseError if the payload ends early or behind the last description, or a count cannot
+/// be true
 ModelDefinitions parseModelDefinitions(ByteReader payload, const Version& version);
 
 /// The definitions as a server of that version sends them; marker sets and bodies have no markers.

@@ -47,8 +47,9 @@ bool operator==(const RigidBodyDefinition& a, const RigidBodyDefinition& b);
 struct ModelDefinitions {
   std::vector<RigidBodyDefinition> rigid_bodies;
   std::vector<std::string> marker_sets;
-  /// False if a description of unknown length ended the reading; what came before it is kept.
-  bool complete = true;
+  /// What ended the reading, since its length is not known: "skeleton 'person'"; what came before
+  /// it is kept. Empty if all was read.
+  std::string unread;
 };
 bool operator==(const ModelDefinitions& a, const ModelDefinitions& b);
 

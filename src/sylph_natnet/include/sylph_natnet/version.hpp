@@ -20,9 +20,9 @@ struct Version {
   friend bool operator>=(const Version& a, const Version& b) { return !(a < b); }
 };
 
-/// The newest bitstream whose every field is known here. Newer ones are read as far as they keep
-/// 4.1's sections, whose sizes allow to skip what is unknown.
-constexpr Version kNewestVersion{4, 2};
+/// The newest bitstream whose every field is known here; since 4.2 none was added. Newer ones are
+/// read if they keep 4.1's sections, whose sizes allow to skip what is unknown inside.
+constexpr Version kNewestVersion{4, 4};
 /// Streams before this are refused.
 constexpr Version kOldestVersion{2, 0};
 
