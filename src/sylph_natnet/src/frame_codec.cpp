@@ -239,6 +239,7 @@ Frame parseFrame(ByteReader payload, const Version& version) {
   frame.rigid_bodies = readRigidBodies(payload, version);
   skipRest(payload, version);
   readSuffix(payload, version, frame);
+  payload.requireEnd("frame");
   return frame;
 }
 

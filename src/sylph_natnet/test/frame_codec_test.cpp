@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <random>
@@ -11,8 +12,9 @@
 namespace sylph_natnet {
 namespace {
 
-const std::vector<Version> kVersions{{2, 0}, {2, 5}, {2, 6}, {2, 9}, {2, 11},
-                                     {3, 0}, {3, 1}, {4, 0}, {4, 1}, {4, 2}};
+const std::vector<Version> kVersions{{2, 0}, {2, 5},  {2, 6},  {2, 7}, {2, 8},
+                                     {2, 9}, {2, 10}, {2, 11}, {3, 0}, {3, 1},
+                                     {4, 0}, {4, 1},  {4, 2},  {4, 3}, {4, 4}};
 
 Frame parse(const Datagram& datagram, const Version& version) {
   return parseFrame(openMessage(datagram).payload, version);
@@ -84,10 +86,52 @@ TEST_P(EveryVersion, RefusesAFrameCutAtAnyByte) {
   }
 }
 
-TEST_P(EveryVersion, LeavesAnUnknownTailAlone) {
-  Datagram longer = makeFrame(exampleFrame(GetParam()), GetParam());
-  longer.insert(longer.end(), 33, 0xff);
-  EXPECT_EQ(exampleFrame(GetParam()), parse(longer, GetParam()));
+TEST_P(EveryVersion, RefusesBytesBehindItsEnd) {
+  for (const std::size_t bytes : {1, 4, 33}) {
+    Datagram longer = makeFrame(exampleFrame(GetParam()), GetParam());
+    longer.resize(longer.size() + bytes);
+    try {
+      parse(longer, GetParam());
+      ADD_FAILURE() << bytes << " bytes more were accepted";
+    } catch (const ParseError& error) {
+      EXPECT_EQ("frame: " + std::to_string(bytes) + " bytes are left behind its end",
+                std::string(error.what()));
+    }
+  }
+}
+
+/// Versions whose frames have one layout.
+int layoutOf(const Version& version) {
+  const std::vector<Version> changes{{2, 1}, {2, 3},  {2, 6}, {2, 7},
+                                     {2, 9}, {2, 11}, {3, 0}, {4, 1}};
+  return static_cast<int>(std::count_if(changes.begin(), changes.end(),
+                                        [&](const Version& change) { return version >= change; }));
+}
+
+TEST_P(EveryVersion, IsRefusedAsAVersionOfAnotherLayout) {
+  const Datagram raw = test::rawFrame(GetParam());
+  for (const Version& other : kVersions) {
+    SCOPED_TRACE("read as " + toString(other));
+    if (layoutOf(other) == layoutOf(GetParam())) {
+      EXPECT_EQ(parse(raw, GetParam()), parse(raw, other));
+    } else {
+      EXPECT_THROW(parse(raw, other), ParseError);
+    }
+  }
+}
+
+TEST_P(EveryVersion, IsNeverReadAsAnotherFrameWhereItIsEmpty) {
+  Frame frame;
+  frame.number = 7;
+  frame.timestamp_s = 1e6 / 3;
+  const Datagram datagram = makeFrame(frame, GetParam());
+  for (const Version& other : kVersions) {
+    try {
+      EXPECT_EQ(parse(datagram, GetParam()), parse(datagram, other)) << toString(other);
+    } catch (const ParseError&) {
+      EXPECT_NE(layoutOf(other), layoutOf(GetParam())) << toString(other);
+    }
+  }
 }
 
 TEST_P(EveryVersion, RefusesCountsThatCannotBeTrue) {
@@ -154,7 +198,7 @@ std::vector<std::uint8_t> withRigidBodySection(std::int32_t count, std::size_t b
   }
   writer.writeI32(count);
   writer.writeI32(static_cast<std::int32_t>(bytes));
-  writer.writeBytes(std::vector<std::uint8_t>(bytes + 40 + 58, 0));
+  writer.writeBytes(std::vector<std::uint8_t>(bytes + 40 + 54, 0));
   return writer.bytes();
 }
 

@@ -6,11 +6,11 @@
 
 namespace sylph_natnet {
 
-/// Reads a frame of data. Markers, skeletons, assets, force plates and devices are skipped; bytes
-/// after the last known field are left alone, as newer servers may add some.
+/// Reads a frame of data. Markers, skeletons, assets, force plates and devices are skipped.
 /// @param version  of the stream, from the server info
-/// @throws ParseError if the payload ends early, a count cannot be true or the version is older
-/// than kOldestVersion
+/// @throws ParseError if the payload does not end with the frame (it is of another version then,
+/// and what was read of it may be anything), a count cannot be true or the version is older than
+/// kOldestVersion
 Frame parseFrame(ByteReader payload, const Version& version);
 
 /// The frame as a server of that version sends it: rigid bodies, all other sections empty.
