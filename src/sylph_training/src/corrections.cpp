@@ -26,8 +26,6 @@ std::vector<sylph::Action> movesInto(const sylph::Plan& plan, std::size_t timest
 }  // namespace
 
 CorrectionSettings CorrectionSettings::read(const sylph::YamlMap& yaml) {
-  yaml.requireOnly({"round", "shards", "worlds_per_shard", "share", "most_steps", "every", "steps",
-                    "samples", "improvement_s"});
   CorrectionSettings settings;
   const auto count = [&](const std::string& key, int& value) {
     value = static_cast<int>(yaml.integer(key, value, 1, 1000000));
@@ -48,6 +46,7 @@ CorrectionSettings CorrectionSettings::read(const sylph::YamlMap& yaml) {
     }
     settings.every = {static_cast<double>(bounds[0]), static_cast<double>(bounds[1])};
   }
+  yaml.refuseUnread();
   return settings;
 }
 

@@ -139,8 +139,6 @@ class SceneMaker {
 }  // namespace
 
 DemonstrationSettings DemonstrationSettings::read(const sylph::YamlMap& yaml) {
-  yaml.requireOnly({"first_solution_s", "improvement_s", "samples_per_world", "samples_per_scene",
-                    "rest_share"});
   DemonstrationSettings settings;
   const auto count = [&](const std::string& key, int otherwise) {
     return static_cast<int>(yaml.integer(key, otherwise, 1, 1000000));
@@ -152,6 +150,7 @@ DemonstrationSettings DemonstrationSettings::read(const sylph::YamlMap& yaml) {
   settings.samples_per_world = count("samples_per_world", settings.samples_per_world);
   settings.samples_per_scene = count("samples_per_scene", settings.samples_per_scene);
   settings.rest_share = yaml.number("rest_share", settings.rest_share, {0.0, 1.0});
+  yaml.refuseUnread();
   return settings;
 }
 

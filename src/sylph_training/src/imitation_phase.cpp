@@ -17,27 +17,11 @@ int readCount(const sylph::YamlMap& yaml, const std::string& key, int otherwise)
 
 ImitationSettings ImitationSettings::read(const sylph::YamlMap& yaml) {
   ImitationSettings settings;
-  std::vector<std::string> allowed = {"kind",
-                                      "steps",
-                                      "batch",
-                                      "first_shards",
-                                      "refill_steps",
-                                      "log_steps",
-                                      "validation_steps",
-                                      "validation_samples",
-                                      "precision",
-                                      "valid_weight",
-                                      "yielding_weight",
-                                      "expert_share",
-                                      "regret_scale"};
-  allowed.insert(allowed.end(), LearnerSettings::keys().begin(), LearnerSettings::keys().end());
   if (yaml.text("kind") == "dagger") {
-    allowed.emplace_back("corrections");
     const auto corrections = yaml.map("corrections");
     settings.corrections =
         corrections ? CorrectionSettings::read(*corrections) : CorrectionSettings();
   }
-  yaml.requireOnly(allowed);
   settings.steps = yaml.integer("steps", settings.steps, 1, 1000000000);
   settings.batch = readCount(yaml, "batch", settings.batch);
   settings.first_shards = readCount(yaml, "first_shards", settings.first_shards);
@@ -55,6 +39,7 @@ ImitationSettings ImitationSettings::read(const sylph::YamlMap& yaml) {
   settings.labels.regret_scale =
       yaml.number("regret_scale", settings.labels.regret_scale, sylph::Range::positive());
   settings.learner = LearnerSettings::read(yaml);
+  yaml.refuseUnread();
   return settings;
 }
 

@@ -12,13 +12,6 @@ constexpr double kPi = 3.14159265358979323846;
 
 }  // namespace
 
-const std::vector<std::string>& LearnerSettings::keys() {
-  static const std::vector<std::string> kKeys = {
-      "learning_rate", "final_learning_rate", "warmup_steps", "weight_decay",
-      "gradient_norm", "average_decay",       "average_every"};
-  return kKeys;
-}
-
 LearnerSettings LearnerSettings::read(const sylph::YamlMap& yaml) {
   LearnerSettings settings;
   const auto positive = [&](const std::string& key, double otherwise) {

@@ -31,8 +31,6 @@ void readCount(const YamlMap& yaml, const std::string& key, int& value) {
 
 RewardOptions readRewards(const YamlMap& yaml) {
   RewardOptions rewards;
-  yaml.requireOnly({"move", "stay_off_goal", "stay_on_goal", "collision", "blocking",
-                    "blocking_detour_cells", "mean_by_svo", "svo_importance"});
   readNumber(yaml, "move", {}, rewards.move);
   readNumber(yaml, "stay_off_goal", {}, rewards.stay_off_goal);
   readNumber(yaml, "stay_on_goal", {}, rewards.stay_on_goal);
@@ -42,25 +40,25 @@ RewardOptions readRewards(const YamlMap& yaml) {
       yaml.integer("blocking_detour_cells", rewards.blocking_detour_cells, 0, 1000000));
   rewards.mean_by_svo = yaml.boolean("mean_by_svo", rewards.mean_by_svo);
   readNumber(yaml, "svo_importance", Range::positive(), rewards.svo_importance);
+  yaml.refuseUnread();
   return rewards;
 }
 
 LossWeights readWeights(const YamlMap& yaml) {
   LossWeights weights;
   const Range weight = Range::atLeast(0.0);
-  yaml.requireOnly({"policy", "value", "entropy", "valid", "blocking", "stability"});
   readNumber(yaml, "policy", weight, weights.policy);
   readNumber(yaml, "value", weight, weights.value);
   readNumber(yaml, "entropy", weight, weights.entropy);
   readNumber(yaml, "valid", weight, weights.valid);
   readNumber(yaml, "blocking", weight, weights.blocking);
   readNumber(yaml, "stability", weight, weights.stability);
+  yaml.refuseUnread();
   return weights;
 }
 
 SymmetricWorldSpec readSymmetric(const YamlMap& yaml) {
   SymmetricWorldSpec spec;
-  yaml.requireOnly({"recess_share", "min_length", "max_length"});
   readNumber(yaml, "recess_share", {0.0, 1.0}, spec.recess_share);
   readCount(yaml, "min_length", spec.min_length);
   readCount(yaml, "max_length", spec.max_length);
@@ -69,6 +67,7 @@ SymmetricWorldSpec readSymmetric(const YamlMap& yaml) {
   } catch (const std::invalid_argument& error) {
     throw yaml.error("min_length", error.what());
   }
+  yaml.refuseUnread();
   return spec;
 }
 
@@ -94,35 +93,6 @@ LearnerOptions readLearner(const YamlMap& yaml) {
 }  // namespace
 
 Smp3oSettings Smp3oSettings::read(const YamlMap& yaml) {
-  yaml.requireOnly({"kind",
-                    "steps",
-                    "environments",
-                    "worlds",
-                    "rollout_steps",
-                    "memory",
-                    "precision",
-                    "symmetric",
-                    "validation_rollouts",
-                    "validation_environments",
-                    "imitation_rate",
-                    "imitation",
-                    "tie_breaking",
-                    "max_steps",
-                    "rewards",
-                    "svo",
-                    "svo_feedback",
-                    "gamma",
-                    "lambda",
-                    "clip",
-                    "stability_kappa",
-                    "crossed_advantages",
-                    "learning_rate",
-                    "gradient_norm",
-                    "only_critic",
-                    "epochs",
-                    "minibatch",
-                    "sequence_length",
-                    "loss"});
   Smp3oSettings settings;
   settings.steps = yaml.integer("steps", settings.steps, 1, 1000000000);
   readCount(yaml, "environments", settings.environments);
@@ -158,6 +128,7 @@ Smp3oSettings Smp3oSettings::read(const YamlMap& yaml) {
       yaml.word("svo_feedback", {"sample", "distribution"}, "distribution");
   settings.svo.feedback = feedback == "sample" ? SvoFeedback::Sample : SvoFeedback::Distribution;
   settings.learner = readLearner(yaml);
+  yaml.refuseUnread();
   return settings;
 }
 

@@ -9,8 +9,6 @@ constexpr std::uint32_t kValidationSeedOffset = 1'000'000'007;  // worlds of the
 
 sylph::NetworkShape readNetwork(const sylph::YamlMap& yaml) {
   sylph::NetworkShape shape;
-  yaml.requireOnly({"near_width", "far_width", "goal_width", "message_width", "message_heads",
-                    "width", "heads", "semantic_tokens"});
   const auto read = [&](const std::string& key, int& value) {
     value = static_cast<int>(yaml.integer(key, value, 1, 4096));
   };
@@ -27,6 +25,7 @@ sylph::NetworkShape readNetwork(const sylph::YamlMap& yaml) {
   } catch (const std::invalid_argument& error) {
     throw yaml.error("width", error.what());
   }
+  yaml.refuseUnread();
   return shape;
 }
 
@@ -44,9 +43,6 @@ torch::Device readDevice(const sylph::YamlMap& yaml) {
 
 TrainingSettings TrainingSettings::load(const std::string& path) {
   const sylph::YamlMap yaml = sylph::YamlMap::load(path);
-  yaml.requireOnly({"seed", "device", "threads", "checkpoint_interval_s", "progress_interval_s",
-                    "network", "decoder", "worlds", "demonstrations", "shards", "validation_shards",
-                    "worlds_per_shard", "phases"});
   TrainingSettings settings;
   const auto count = [&](const std::string& key, int otherwise) {
     return static_cast<int>(yaml.integer(key, otherwise, 1, 1000000));
@@ -76,6 +72,7 @@ TrainingSettings TrainingSettings::load(const std::string& path) {
     settings.demonstrations = DemonstrationSettings::read(*demonstrations);
   }
   settings.phases = yaml.maps("phases");
+  yaml.refuseUnread();
   return settings;
 }
 

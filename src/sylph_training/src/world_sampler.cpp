@@ -49,8 +49,6 @@ WorldSettings WorldSettings::read(const sylph::YamlMap& yaml) {
   WorldSettings settings;
   const sylph::Range share{0.0, 1.0};
   const sylph::Range sides{3.0, 256.0};
-  yaml.requireOnly(
-      {"side", "usual_side", "usual_share", "random", "room", "maze", "most_agents", "rotations"});
   readWholeInterval(yaml, "side", sides, settings.side);
   readWholeInterval(yaml, "usual_side", sides, settings.usual_side);
   settings.usual_share = yaml.number("usual_share", settings.usual_share, share);
@@ -58,24 +56,25 @@ WorldSettings WorldSettings::read(const sylph::YamlMap& yaml) {
       static_cast<int>(yaml.integer("most_agents", settings.most_agents, 1, 10000));
   settings.motion.rotations = yaml.boolean("rotations", settings.motion.rotations);
   if (const auto random = yaml.map("random")) {
-    random->requireOnly({"weight", "team_share", "density"});
     readFamily(*random, settings.random);
     readInterval(*random, "density", {0.0, 0.9}, settings.density);
+    random->refuseUnread();
   }
   if (const auto room = yaml.map("room")) {
-    room->requireOnly({"weight", "team_share", "room_size", "door_share"});
     readFamily(*room, settings.room);
     readWholeInterval(*room, "room_size", {1.0, 64.0}, settings.room_size);
     readInterval(*room, "door_share", share, settings.door_share);
+    room->refuseUnread();
   }
   if (const auto maze = yaml.map("maze")) {
-    maze->requireOnly({"weight", "team_share", "opened_share"});
     readFamily(*maze, settings.maze);
     readInterval(*maze, "opened_share", share, settings.opened_share);
+    maze->refuseUnread();
   }
   if (settings.random.weight + settings.room.weight + settings.maze.weight <= 0.0) {
     throw yaml.error("random", "one of the families random, room, maze needs a weight > 0");
   }
+  yaml.refuseUnread();
   return settings;
 }
 

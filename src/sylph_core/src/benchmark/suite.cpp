@@ -30,29 +30,20 @@ Spec readSides(const YamlMap& yaml) {
   return spec;
 }
 
-/// Reads the members of a generator and adds their names to the allowed keys.
-std::variant<RandomMapSpec, RoomMapSpec, MazeMapSpec> readGenerator(
-    const YamlMap& yaml, std::vector<std::string>& allowed) {
-  const auto allow = [&](const std::vector<std::string>& keys) {
-    allowed.insert(allowed.end(), keys.begin(), keys.end());
-  };
+std::variant<RandomMapSpec, RoomMapSpec, MazeMapSpec> readGenerator(const YamlMap& yaml) {
   const std::string kind = yaml.word("generator", {"random", "room", "maze"}, "random");
-  allow({"generator", "instances", "seed", "rows", "cols"});
   if (kind == "random") {
-    allow({"density"});
     auto spec = readSides<RandomMapSpec>(yaml);
     spec.density = yaml.number("density", spec.density, {0.0, 0.99});
     return spec;
   }
   if (kind == "room") {
-    allow({"room_size", "door_width", "door_share"});
     auto spec = readSides<RoomMapSpec>(yaml);
     spec.room_size = readInt(yaml, "room_size", spec.room_size, 1, Grid::kMaxSide);
     spec.door_width = readInt(yaml, "door_width", spec.door_width, 1, spec.room_size);
     spec.door_share = yaml.number("door_share", spec.door_share, {0.0, 1.0});
     return spec;
   }
-  allow({"corridor_width", "opened_share"});
   auto spec = readSides<MazeMapSpec>(yaml);
   spec.corridor_width = readInt(yaml, "corridor_width", spec.corridor_width, 1, Grid::kMaxSide);
   spec.opened_share = yaml.number("opened_share", spec.opened_share, {0.0, 1.0});
@@ -60,7 +51,6 @@ std::variant<RandomMapSpec, RoomMapSpec, MazeMapSpec> readGenerator(
 }
 
 BenchmarkFamily readFamily(const YamlMap& yaml) {
-  std::vector<std::string> allowed = {"name", "agents"};
   BenchmarkFamily family;
   family.name = yaml.text("name");
   family.agents = yaml.integers("agents", 1, kMostAgents);
@@ -70,13 +60,12 @@ BenchmarkFamily readFamily(const YamlMap& yaml) {
   }
   if (yaml.has("generator")) {
     GeneratedInstances generated;
-    generated.map = readGenerator(yaml, allowed);
+    generated.map = readGenerator(yaml);
     generated.instances = readInt(yaml, "instances", generated.instances, 1, kMostInstances);
     generated.seed = static_cast<std::uint32_t>(
         yaml.integer("seed", 0, 0, std::numeric_limits<std::uint32_t>::max()));
     family.source = generated;
   } else {
-    allowed.insert(allowed.end(), {"map", "scenarios"});
     StoredInstances stored;
     stored.map_path = resolvePath(yaml.path(), yaml.text("map"));
     for (const std::string& scenario : yaml.texts("scenarios")) {
@@ -84,7 +73,7 @@ BenchmarkFamily readFamily(const YamlMap& yaml) {
     }
     family.source = stored;
   }
-  yaml.requireOnly(allowed);
+  yaml.refuseUnread();
   return family;
 }
 
@@ -125,7 +114,6 @@ Instance firstAgents(Instance instance, int agents) {
 
 BenchmarkSuite loadSuite(const std::string& path) {
   const YamlMap yaml = YamlMap::load(path);
-  yaml.requireOnly({"planners", "time_limit_s", "max_steps", "first", "rotations", "families"});
   BenchmarkSuite suite;
   suite.planners = {plannerNames().front()};
   if (yaml.has("planners")) {
@@ -144,6 +132,7 @@ BenchmarkSuite loadSuite(const std::string& path) {
       throw entry.error("name", inQuotes(suite.families.back().name) + " is another family's too");
     }
   }
+  yaml.refuseUnread();
   return suite;
 }
 

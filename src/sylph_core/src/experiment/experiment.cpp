@@ -36,7 +36,6 @@ Cell readCell(const YamlMap& yaml, const std::string& key, bool is_random) {
 
 RobotSpec readRobot(const YamlMap& yaml, const std::vector<double>& footprint_m,
                     bool has_random_start, bool has_random_goal) {
-  yaml.requireOnly({"name", "rigid_body", "footprint_m", "start", "goal"});
   RobotSpec robot;
   robot.name = yaml.text("name");
   if (!isRosName(robot.name)) {
@@ -50,6 +49,7 @@ RobotSpec readRobot(const YamlMap& yaml, const std::vector<double>& footprint_m,
   robot.width_m = own_m[1];
   robot.start = readCell(yaml, "start", has_random_start);
   robot.goal = readCell(yaml, "goal", has_random_goal);
+  yaml.refuseUnread();
   return robot;
 }
 
@@ -76,13 +76,13 @@ std::vector<RobotSpec> readRobots(const YamlMap& yaml, bool has_random_starts,
 }
 
 PlanningSpec readPlanning(const YamlMap& yaml) {
-  yaml.requireOnly({"planner", "weights", "time_limit_s"});
   PlanningSpec spec;
   spec.planner = yaml.word("planner", plannerNames(), spec.planner);
   if (yaml.has("weights")) {
     spec.weights_path = resolvePath(yaml.path(), yaml.text("weights"));
   }
   spec.time_limit_s = yaml.number("time_limit_s", spec.time_limit_s, Range::positive());
+  yaml.refuseUnread();
   return spec;
 }
 
@@ -98,14 +98,12 @@ ExecutionSpec readExecution(const YamlMap& yaml) {
       {"pose_timeout_s", &spec.pose_timeout_s},
       {"base_timeout_s", &spec.base_timeout_s},
   };
-  std::vector<std::string> allowed = {"command_latency_s"};
   for (const auto& [key, member] : positive_members) {
-    allowed.push_back(key);
     *member = yaml.number(key, *member, Range::positive());
   }
-  yaml.requireOnly(allowed);
   spec.command_latency_s =
       yaml.number("command_latency_s", spec.command_latency_s, Range::atLeast(0.0));
+  yaml.refuseUnread();
   return spec;
 }
 
@@ -161,8 +159,6 @@ void placeRobots(bool has_random_starts, bool has_random_goals, Experiment& expe
 
 Experiment loadExperiment(const std::string& path, const ExperimentOverrides& overrides) {
   const YamlMap yaml = YamlMap::load(path);
-  yaml.requireOnly({"map", "cell_size_m", "footprint_m", "starts", "goals", "seed", "robots",
-                    "planning", "execution"});
   Experiment experiment;
   experiment.path = path;
   experiment.name = std::filesystem::path(path).stem().string();
@@ -178,15 +174,16 @@ Experiment loadExperiment(const std::string& path, const ExperimentOverrides& ov
   if (const auto planning = yaml.map("planning")) {
     experiment.planning = readPlanning(*planning);
   }
+  if (const auto execution = yaml.map("execution")) {
+    experiment.execution = readExecution(*execution);
+  }
+  yaml.refuseUnread();
   if (overrides.planner) {
     requireKnownPlanner(*overrides.planner);
     experiment.planning.planner = *overrides.planner;
   }
   if (overrides.weights_path) {
     experiment.planning.weights_path = *overrides.weights_path;
-  }
-  if (const auto execution = yaml.map("execution")) {
-    experiment.execution = readExecution(*execution);
   }
   try {
     placeRobots(has_random_starts, has_random_goals, experiment);

@@ -1,9 +1,9 @@
 #include "sylph_core/files/yaml_map.hpp"
 
 #include <yaml-cpp/eventhandler.h>
+#include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 #include <sstream>
 #include <utility>
@@ -25,21 +25,6 @@ std::string joined(const std::vector<std::string>& words) {
     text += (text.empty() ? "" : ", ") + word;
   }
   return text;
-}
-
-std::string shortNumber(double value) {
-  std::ostringstream out;
-  out << value;
-  return out.str();
-}
-
-std::string describe(const Range& range) {
-  const bool is_bounded = range.highest < std::numeric_limits<double>::max();
-  if (range.lowest > -std::numeric_limits<double>::max()) {
-    return (range.open_below ? "> " : ">= ") + shortNumber(range.lowest) +
-           (is_bounded ? " and <= " + shortNumber(range.highest) : "");
-  }
-  return is_bounded ? "<= " + shortNumber(range.highest) : "finite";
 }
 
 /// What stands there, for messages.
@@ -86,7 +71,10 @@ bool hasMoreThanOneDocument(const std::string& text) {
 }  // namespace
 
 YamlMap::YamlMap(std::string path, std::string prefix, const YAML::Node& node)
-    : path_(std::move(path)), prefix_(std::move(prefix)), node_(node) {}
+    : path_(std::move(path)),
+      prefix_(std::move(prefix)),
+      node_(std::make_shared<YAML::Node>(node)),
+      asked_(std::make_shared<std::vector<std::string>>()) {}
 
 YamlMap YamlMap::load(const std::string& path) {
   const std::string text = readTextFile(path, kMaxYamlBytes);
@@ -104,9 +92,10 @@ YamlMap YamlMap::load(const std::string& path) {
   }
 }
 
-void YamlMap::requireOnly(const std::vector<std::string>& allowed) const {
+void YamlMap::refuseUnread() const {
+  const std::vector<std::string>& allowed = *asked_;
   std::set<std::string> seen;
-  for (const auto& entry : node_) {
+  for (const auto& entry : *node_) {
     if (!entry.first.IsScalar() ||
         std::find(allowed.begin(), allowed.end(), entry.first.Scalar()) == allowed.end()) {
       const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "(not a word)";
@@ -263,16 +252,19 @@ std::vector<YamlMap> YamlMap::maps(const std::string& key) const {
 }
 
 std::runtime_error YamlMap::error(const std::string& key, const std::string& what) const {
-  return errorAt(has(key) ? find(key) : node_, key, what);
+  return errorAt(has(key) ? find(key) : *node_, key, what);
 }
 
 YAML::Node YamlMap::find(const std::string& key) const {
-  return node_[key];
+  if (std::find(asked_->begin(), asked_->end(), key) == asked_->end()) {
+    asked_->push_back(key);
+  }
+  return (*node_)[key];
 }
 
 YAML::Node YamlMap::require(const std::string& key) const {
   if (!has(key)) {
-    throw errorAt(node_, key, "is missing");
+    throw errorAt(*node_, key, "is missing");
   }
   return find(key);
 }
@@ -288,9 +280,8 @@ std::vector<YAML::Node> YamlMap::sequence(const std::string& key) const {
 double YamlMap::toNumber(const std::string& key, const YAML::Node& node, const Range& range) const {
   double value = 0.0;
   const bool is_number = node.IsScalar() && YAML::convert<double>::decode(node, value);
-  const bool is_above = range.open_below ? value > range.lowest : value >= range.lowest;
-  if (!is_number || !std::isfinite(value) || !is_above || value > range.highest) {
-    throw errorAt(node, key, shown(node) + ", must be a number " + describe(range));
+  if (!is_number || !range.contains(value)) {
+    throw errorAt(node, key, shown(node) + ", must be a number " + toString(range));
   }
   return value;
 }

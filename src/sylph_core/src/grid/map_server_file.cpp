@@ -113,8 +113,6 @@ cv::Mat loadImage(const std::string& path) {
 
 MapFile loadMapServerFile(const std::string& path) {
   const YamlMap yaml = YamlMap::load(path);
-  yaml.requireOnly(
-      {"image", "resolution", "origin", "negate", "occupied_thresh", "free_thresh", "mode"});
   yaml.word("mode", {"trinary"}, "trinary");
   const bool is_negated = yaml.integer("negate", 0, 0, 1) == 1;
   const double occupied_threshold = yaml.number("occupied_thresh", {0.0, 1.0});
@@ -129,7 +127,9 @@ MapFile loadMapServerFile(const std::string& path) {
   map.origin_y_m = origin[1];
   map.origin_yaw_rad = origin[2];
 
-  const cv::Mat image = loadImage(resolvePath(path, yaml.text("image")));
+  const std::string image_path = resolvePath(path, yaml.text("image"));
+  yaml.refuseUnread();
+  const cv::Mat image = loadImage(image_path);
   map.grid = Grid(image.rows, image.cols);
   for (int row = 0; row < image.rows; ++row) {
     for (int col = 0; col < image.cols; ++col) {

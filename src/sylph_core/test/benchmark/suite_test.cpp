@@ -84,7 +84,7 @@ TEST_F(SuiteTest, NamesTheFieldThatIsWrong) {
                 "generator: room", "generator: cave");
   expectRefused(
       ":5: families[0].density: unknown key, must be one of name, agents, generator, "
-      "instances, seed, rows, cols, room_size, door_width, door_share",
+      "map, rows, cols, room_size, door_width, door_share, instances, seed",
       "rows: 9", "density: 0.2");
   expectRefused(":5: families[0].rows: is '9000', must be a whole number 1 ... 8192", "rows: 9",
                 "rows: 9000");

@@ -111,8 +111,8 @@ TEST_F(ExperimentTest, DrawsOnlyWhatIsRandom) {
 TEST_F(ExperimentTest, NamesTheFieldThatIsWrong) {
   expectRefused(":1: map: is missing", "map: a.map\n", "");
   expectRefused(
-      ":2: cell_size: unknown key, must be one of map, cell_size_m, footprint_m, starts, "
-      "goals, seed, robots, planning, execution",
+      ":2: cell_size: unknown key, must be one of map, cell_size_m, starts, goals, seed, "
+      "footprint_m, robots, planning, execution",
       "cell_size_m", "cell_size");
   expectRefused(":2: map: given twice, must be given once", "cell_size_m: 0.5", "map: b.map");
   expectRefused(":2: cell_size_m: is '-0.5', must be a number > 0", "0.5", "-0.5");

@@ -122,9 +122,9 @@ TEST(MapServerFileTest, NamesTheFieldThatIsWrong) {
   };
   expect(":1: image: is missing", "image: map.pgm\n", "");
   expect(
-      ":1: imgae: unknown key, must be one of image, resolution, origin, negate, "
-      "occupied_thresh, free_thresh, mode",
-      "image", "imgae");
+      ":4: negative: unknown key, must be one of mode, negate, occupied_thresh, free_thresh, "
+      "origin, resolution, image",
+      "negate", "negative");
   expect(":2: image: given twice, must be given once", "resolution", "image: b.pgm\nresolution");
   expect(":1: image: is a list, must be a text", "map.pgm", "[map.pgm]");
   expect(":2: resolution: is '0', must be a number > 0", "0.25", "0");
@@ -133,7 +133,7 @@ TEST(MapServerFileTest, NamesTheFieldThatIsWrong) {
   expect(":3: origin: has 2 values, must be a list of 3 numbers", ", 0.0]", "]");
   expect(":3: origin: is '.inf', must be a number finite", "1.0", ".inf");
   expect(":4: negate: is '2', must be a whole number 0 ... 1", "negate: 0", "negate: 2");
-  expect(":5: occupied_thresh: is '65', must be a number >= 0 and <= 1", "0.65", "65");
+  expect(":5: occupied_thresh: is '65', must be a number 0 ... 1", "0.65", "65");
   expect(":6: free_thresh: is above occupied_thresh, must be at most that", "0.196", "0.7");
   expect(":3: origin: is '1.0', must be a list", "[1.0, -2.0, 0.0]", "1.0");
 }

@@ -20,8 +20,7 @@ struct LearnerSettings {
   double average_decay = 0.995;       ///< of the running average of the weights, 0 ... 1
   int average_every = 4;              ///< steps between its updates, > 0
 
-  static const std::vector<std::string>& keys();
-  /// Reads the members that are given; see keys().
+  /// Reads the members that are given.
   /// @throws std::runtime_error with one line naming file, line, field and what is allowed
   static LearnerSettings read(const sylph::YamlMap& yaml);
 };

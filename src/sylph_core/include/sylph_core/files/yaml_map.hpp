@@ -1,28 +1,25 @@
 #pragma once
 
-#include <yaml-cpp/yaml.h>
-
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
+#include "sylph_core/files/range.hpp"
 #include "sylph_core/grid/cell.hpp"
+
+namespace YAML {
+class Node;
+}
 
 namespace sylph {
 
-/// Numbers that a field accepts: from `lowest` up to and with `highest`.
-struct Range {
-  double lowest = -std::numeric_limits<double>::max();
-  double highest = std::numeric_limits<double>::max();
-  bool open_below = false;  ///< whether `lowest` itself is refused
-
-  static Range positive() { return {0.0, std::numeric_limits<double>::max(), true}; }
-  static Range atLeast(double lowest) { return {lowest}; }
-};
-
 /// A mapping in a YAML file, read strictly.
+///
+/// It remembers which keys it was asked for, so that none has to be listed a second time: whoever
+/// reads a mapping ends with refuseUnread().
 ///
 /// Each look-up throws std::runtime_error with one line, "file:line: field: what is wrong, what is
 /// allowed", if the key is missing and has no default, or if its value is of the wrong type or out
@@ -32,8 +29,8 @@ class YamlMap {
   /// Reads a file whose whole content is one mapping.
   static YamlMap load(const std::string& path);
 
-  /// Refuses keys that are not in the list and keys given twice, so that a typo is not silence.
-  void requireOnly(const std::vector<std::string>& allowed) const;
+  /// Refuses keys that nobody has asked for and keys given twice, so that a typo is not silence.
+  void refuseUnread() const;
 
   bool has(const std::string& key) const;
 
@@ -83,7 +80,8 @@ class YamlMap {
 
   std::string path_;
   std::string prefix_;  // of fields, such as "robots[2]."
-  YAML::Node node_;
+  std::shared_ptr<const YAML::Node> node_;
+  std::shared_ptr<std::vector<std::string>> asked_;  // keys, in the order of asking; of all copies
 };
 
 }  // namespace sylph
