@@ -141,6 +141,8 @@ void NatnetInput::shareStatus() {
   own_status_.link.server = client_.serverInfo();
   own_status_.link.version = client_.version();
   own_status_.link.statistics = client_.statistics();
+  own_status_.link.definitions_known = client_.definitionsKnown();
+  own_status_.link.unread = client_.definitions().unread;
   own_status_.link.missing = names_.missing();
   own_status_.link.ambiguous = names_.ambiguous();
   own_status_.link.offered = names_.offered();

@@ -77,6 +77,21 @@ Finding wrongNames(const LinkStatus& status) {
     return {Severity::Error, "more than one rigid body is called " + join(status.ambiguous) +
                                  ": give each a name and an id of its own"};
   }
+  if (!status.definitions_known) {
+    const std::string server = toString(Endpoint{status.client.server, status.client.command_port});
+    return {Severity::Error, "frames come but " + server +
+                                 " does not tell which rigid bodies they hold: is command_port "
+                                 "the server's, and open in its firewall (UDP)?"};
+  }
+  if (!status.unread.empty()) {
+    return {Severity::Error,
+            "no rigid body called " + join(status.missing) + " is described before the " +
+                status.unread + ", and how long that one's description is in bitstream " +
+                toString(*status.version) +
+                " is not known: remove it from the server's assets, or create it anew after the "
+                "robots' rigid bodies; the server has, as far as known: " +
+                join(status.offered)};
+  }
   if (status.offered.empty()) {
     return {Severity::Error,
             "frames come but no rigid body is defined: create the robots' rigid bodies in the "
@@ -86,6 +101,22 @@ Finding wrongNames(const LinkStatus& status) {
                                "; the server has: " + join(status.offered)};
 }
 
+Finding wrongBitstream(const LinkStatus& status) {
+  const std::string version = toString(*status.version);
+  std::string text =
+      "data are not what bitstream " + version + " says (" + status.statistics.last_error + "): ";
+  if (status.client.bitstream && status.server && status.server->version != *status.version) {
+    text += "the server says that it streams " + toString(status.server->version) +
+            ": leave bitstream empty";
+  } else if (sylph_natnet::kNewestVersion < *status.version) {
+    text += "it is newer than all known here; set bitstream to \"" +
+            toString(sylph_natnet::kNewestVersion) + "\" to ask the server for that one";
+  } else {
+    text += "set bitstream to the version that the server streams";
+  }
+  return {Severity::Error, text};
+}
+
 }  // namespace
 
 Finding preflight(const LinkStatus& status) {
@@ -93,9 +124,7 @@ Finding preflight(const LinkStatus& status) {
     return noServer(status);
   }
   if (status.new_parse_errors > 0) {
-    return {Severity::Error, "frames are not what bitstream " + toString(*status.version) +
-                                 " says (" + status.statistics.last_error +
-                                 "): set bitstream to the version that the server streams"};
+    return wrongBitstream(status);
   }
   if (status.new_frames == 0) {
     return status.server ? noFrames(status) : noServer(status);

@@ -355,6 +355,21 @@ TEST_F(MocapBridgeNodeTest, EachBadParameterIsRefusedByName) {
   EXPECT_TRUE(refuses("body_from_robot/robot_1/yaw_deg", 90.0));
   EXPECT_TRUE(refuses("largest_age_s", 0.0));
   EXPECT_TRUE(refuses("frozen_limit_s", -0.1));
+TEST_F(MocapBridgeNodeTest, AWrongBitstreamGivesNoPosesAndIsNamed) {
+  Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  parameters_.set("bitstream", "2.9");
+  sylph_natnet::ServerOptions options;
+  options.version = {2, 11};
+  startServer(zUpFrame, options);
+  startNode();
+  EXPECT_TRUE(waitFor([&] {
+    return summaryOf(diagnostics, "link") ==
+           "data are not what bitstream 2.9 says (frame: 4 bytes are left behind its end): the "
+           "server says that it streams 2.11: leave bitstream empty";
+  })) << summaryOf(diagnostics, "link");
+  EXPECT_EQ(0U, first_.count());
+}
+
   EXPECT_TRUE(refuses("position_sigma_m", -1.0));
   EXPECT_TRUE(refuses("tf_rate_hz", -1.0));
   EXPECT_TRUE(refuses("servre_address", "127.0.0.1"));

@@ -19,6 +19,7 @@ LinkStatus goodStatus() {
   status.version = server.version;
   status.new_frames = 120;
   status.bodies_in_frame = 8;
+  status.definitions_known = true;
   status.offered = {"red", "blue"};
   return status;
 }
@@ -103,7 +104,34 @@ TEST(PreflightTest, AnotherBitstream) {
   LinkStatus status = goodStatus();
   status.new_parse_errors = 5;
   status.statistics.last_error = "rigid bodies: count of 8 in 3 bytes";
-  expectError(status, "bitstream 4.1");
+  expectError(status,
+              "data are not what bitstream 4.1 says (rigid bodies: count of 8 in 3 bytes): set "
+              "bitstream to the version that the server streams");
+  status.client.bitstream = status.version = sylph_natnet::Version{2, 9};
+  status.server->version = {2, 11};
+  expectError(status, "the server says that it streams 2.11: leave bitstream empty");
+  status.client.bitstream.reset();
+  status.version = status.server->version = {5, 0};
+  expectError(status, "newer than all known here; set bitstream to \"4.4\"");
+}
+
+TEST(PreflightTest, NamesThatTheServerDoesNotTell) {
+  LinkStatus status = goodStatus();
+  status.definitions_known = false;
+  status.missing = {"red", "blue"};
+  status.offered.clear();
+  expectError(status, "192.168.1.10:1510 does not tell which rigid bodies they hold");
+}
+
+TEST(PreflightTest, NamesBehindADescriptionOfUnknownLength) {
+  LinkStatus status = goodStatus();
+  status.unread = "skeleton 'person'";
+  EXPECT_EQ(Severity::Ok, preflight(status).severity);  // all robots are described before it
+  status.missing = {"green"};
+  status.offered = {"red"};
+  expectError(status, "no rigid body called green is described before the skeleton 'person'");
+  status.offered.clear();
+  expectError(status, "remove it from the server's assets");
 }
 
 TEST(PreflightTest, NamesThatTheServerDoesNotHave) {

@@ -187,6 +187,7 @@ void Client::beginSession() {
   echo_clock_.reset();
   echoes_ = 0;
   definitions_ = {};
+  definitions_known_ = false;
   ++definitions_revision_;
   definitions_wanted_ = true;
   last_definitions_request_ = {};
@@ -195,6 +196,7 @@ void Client::beginSession() {
 void Client::loseServer() {
   info_.reset();
   definitions_ = {};
+  definitions_known_ = false;
   ++definitions_revision_;
   connect_wanted_ = true;
 }
@@ -204,6 +206,7 @@ void Client::onDefinitions(ByteReader payload) {
     return;
   }
   ModelDefinitions definitions = parseModelDefinitions(payload, *version());
+  definitions_known_ = true;
   definitions_wanted_ = false;
   unanswered_definitions_requests_ = 0;
   if (!(definitions == definitions_)) {

@@ -190,6 +190,7 @@ TEST_F(ClientServerTest, ConnectsToAServerThatStartsLater) {
     EXPECT_FALSE(client_->poll(milliseconds(5)));
   }
   EXPECT_FALSE(client_->serverInfo());
+  EXPECT_FALSE(client_->definitionsKnown());
   startServer({});
   EXPECT_TRUE(stepUntilConnected());
 }
@@ -316,6 +317,18 @@ TEST_F(ClientServerTest, AWrongBitstreamIsCountedNotTrusted) {
   EXPECT_TRUE(stepUntil([this] { return client_->statistics().parse_errors > 3; }));
   EXPECT_FALSE(last_frame_);
   EXPECT_FALSE(client_->statistics().last_error.empty());
+}
+
+TEST_F(ClientServerTest, ABitstreamWithoutTheServersLastSectionIsNotTrusted) {
+  ServerOptions options;
+  options.version = {2, 11};
+  startServer(options);
+  ClientOptions client_options;
+  client_options.bitstream = Version{2, 9};
+  startClient(client_options);
+  EXPECT_TRUE(stepUntil([this] { return client_->statistics().parse_errors > 3; }));
+  EXPECT_FALSE(last_frame_);
+  EXPECT_EQ("frame: 4 bytes are left behind its end", client_->statistics().last_error);
 }
 
 TEST_F(ClientServerTest, GarbageLeavesTheServerStanding) {

@@ -20,6 +20,8 @@ struct LinkStatus {
   std::uint64_t new_parse_errors = 0;         ///< since the last look
   std::uint64_t new_foreign = 0;              ///< since the last look
   std::size_t bodies_in_frame = 0;            ///< rigid bodies in the last frame
+  bool definitions_known = false;             ///< the server told what bodies it has
+  std::string unread;                         ///< what hides the rest of them, see ModelDefinitions
   std::vector<std::string> missing;           ///< robots' bodies that the server does not have
   std::vector<std::string> ambiguous;         ///< robots' bodies that it has more than once
   std::vector<std::string> offered;           ///< all bodies that it has

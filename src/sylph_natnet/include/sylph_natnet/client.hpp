@@ -70,6 +70,8 @@ class Client {
   std::optional<Version> version() const;
   /// Empty until the server told them, and again after it restarted: ids may mean others now.
   const ModelDefinitions& definitions() const { return definitions_; }
+  /// Whether the server told them.
+  bool definitionsKnown() const { return definitions_known_; }
   /// Counts changes of definitions().
   std::uint64_t definitionsRevision() const { return definitions_revision_; }
   /// Counts servers: another number means another clock and other ids.
@@ -101,6 +103,7 @@ class Client {
 
   std::optional<ServerInfo> info_;
   ModelDefinitions definitions_;
+  bool definitions_known_ = false;
   std::uint64_t definitions_revision_ = 0;
   std::uint64_t session_ = 0;
   FrameSequence sequence_;
