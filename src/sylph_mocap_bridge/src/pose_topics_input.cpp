@@ -1,8 +1,11 @@
 #include "sylph_mocap_bridge/pose_topics_input.hpp"
 
+#include <ros/master.h>
+#include <ros/this_node.h>
 #include <ros/time.h>
 
-#include <cctype>
+#include <algorithm>
+#include <stdexcept>
 
 namespace sylph_mocap_bridge {
 namespace {
@@ -11,28 +14,64 @@ constexpr std::uint32_t kQueueSize = 10;
 /// ROS time that goes back by more than this began anew (a simulation, a bag).
 constexpr double kTimeJumpS = 0.5;
 
-void replaceAll(std::string& text, const std::string& placeholder, const std::string& name) {
+/// The locale must not matter: a topic's name is ASCII.
+bool isLetter(char c) {
+  return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z');
+}
+
+bool mayFollow(char c) {
+  return isLetter(c) || (c >= '0' && c <= '9') || c == '_' || c == '/';
+}
+
+std::string cleaned(std::string name, const sylph::RobotSpec& robot) {
+  const std::string whole = name;
+  if (!name.empty() && !isLetter(name.front()) && name.front() != '/') {
+    name.erase(0, 1);
+  }
+  name.erase(std::remove_if(name.begin(), name.end(), [](char c) { return !mayFollow(c); }),
+             name.end());
+  if (std::all_of(name.begin(), name.end(), [](char c) { return c == '/'; })) {
+    throw std::runtime_error("'" + whole + "' of " + robot.name +
+                             ": nothing of it may be in a topic's name, rename the rigid body or "
+                             "use {robot} in pose_topic");
+  }
+  return name;
+}
+
+void replaceAll(std::string& text, const std::string& placeholder, const std::string& name,
+                const sylph::RobotSpec& robot) {
+  if (text.find(placeholder) == std::string::npos) {
+    return;
+  }
+  const std::string clean = cleaned(name, robot);
   for (std::size_t at = text.find(placeholder); at != std::string::npos;
-       at = text.find(placeholder, at + name.size())) {
-    text.replace(at, placeholder.size(), name);
+       at = text.find(placeholder, at + clean.size())) {
+    text.replace(at, placeholder.size(), clean);
   }
 }
 
-std::string cleaned(std::string name) {
-  for (char& letter : name) {
-    if (std::isalnum(static_cast<unsigned char>(letter)) == 0) {
-      letter = '_';
+/// Topics of poses that others publish.
+std::vector<std::string> foreignPoseTopics() {
+  ros::master::V_TopicInfo published;
+  ros::master::getTopics(published);
+  ros::V_string own;
+  ros::this_node::getAdvertisedTopics(own);
+  std::vector<std::string> topics;
+  for (const ros::master::TopicInfo& topic : published) {
+    if (topic.datatype == "geometry_msgs/PoseStamped" &&
+        std::find(own.begin(), own.end(), topic.name) == own.end()) {
+      topics.push_back(topic.name);
     }
   }
-  return name;
+  return topics;
 }
 
 }  // namespace
 
 std::string poseTopic(const std::string& pattern, const sylph::RobotSpec& robot) {
   std::string topic = pattern;
-  replaceAll(topic, "{rigid_body}", cleaned(robot.rigid_body));
-  replaceAll(topic, "{robot}", cleaned(robot.name));
+  replaceAll(topic, "{rigid_body}", robot.rigid_body, robot);
+  replaceAll(topic, "{robot}", robot.name, robot);
   return topic;
 }
 
@@ -40,8 +79,17 @@ PoseTopicsInput::PoseTopicsInput(ros::NodeHandle& nh, const std::string& pattern
                                  const std::vector<sylph::RobotSpec>& robots, MeasurementSink& sink)
     : stamp_(stamp), sink_(sink), new_messages_(robots.size()) {
   for (std::size_t robot = 0; robot < robots.size(); ++robot) {
+    const std::string topic = poseTopic(pattern, robots[robot]);
+    const auto same = std::find(topics_.begin(), topics_.end(), topic);
+    if (same != topics_.end()) {
+      const auto other = static_cast<std::size_t>(same - topics_.begin());
+      throw std::runtime_error("robots " + robots[other].name + " and " + robots[robot].name +
+                               " would both follow " + topic +
+                               ": give their rigid bodies names that differ in letters or digits");
+    }
+    topics_.push_back(topic);
     subscribers_.push_back(nh.subscribe<geometry_msgs::PoseStamped>(
-        poseTopic(pattern, robots[robot]), kQueueSize,
+        topic, kQueueSize,
         [this, robot](const geometry_msgs::PoseStamped::ConstPtr& message) {
           onPose(*message, robot);
         },
@@ -65,21 +113,18 @@ void PoseTopicsInput::onPose(const geometry_msgs::PoseStamped& message, std::siz
 }
 
 Finding PoseTopicsInput::look(diagnostic_updater::DiagnosticStatusWrapper& report) {
-  Finding finding{Severity::Ok, "poses of all robots come"};
+  std::vector<std::string> unpublished;
+  std::vector<std::string> silent;
   for (std::size_t robot = 0; robot < subscribers_.size(); ++robot) {
     const std::string topic = subscribers_[robot].getTopic();
     report.add("messages on " + topic, new_messages_[robot]);
     if (new_messages_[robot] == 0) {
-      finding = {Severity::Error,
-                 subscribers_[robot].getNumPublishers() == 0
-                     ? "nobody publishes " + topic +
-                           ": is the driver running, and are pose_topic and the rigid body's name "
-                           "right?"
-                     : "nothing comes on " + topic + ": does the driver see that body?"};
+      (subscribers_[robot].getNumPublishers() == 0 ? unpublished : silent).push_back(topic);
     }
     new_messages_[robot] = 0;
   }
-  return finding;
+  return topicsFinding(unpublished, silent,
+                       unpublished.empty() ? std::vector<std::string>() : foreignPoseTopics());
 }
 
 }  // namespace sylph_mocap_bridge

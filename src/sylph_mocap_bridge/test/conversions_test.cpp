@@ -46,9 +46,20 @@ TEST(ConversionsTest, TwistIsInTheRobotsFrame) {
 TEST(ConversionsTest, TopicNamesAreCleaned) {
   sylph::RobotSpec robot;
   robot.name = "robot_3";
-  robot.rigid_body = "blue car-2";
-  EXPECT_EQ("/vrpn_client_node/blue_car_2/pose",
-            poseTopic("/vrpn_client_node/{rigid_body}/pose", robot));
+  const auto topicOf = [&robot](const std::string& rigid_body) {
+    robot.rigid_body = rigid_body;
+    return poseTopic("/vrpn_client_node/{rigid_body}/pose", robot);
+  };
+  // As vrpn_client_ros 0.2.2 cleans them.
+  EXPECT_EQ("/vrpn_client_node/RigidBody1/pose", topicOf("Rigid Body 1"));
+  EXPECT_EQ("/vrpn_client_node/bluecar2/pose", topicOf("blue car-2"));
+  EXPECT_EQ("/vrpn_client_node/fleet/red_1/pose", topicOf("fleet/red_1"));
+  EXPECT_EQ("/vrpn_client_node/2red/pose", topicOf("12red"));
+  EXPECT_EQ("/vrpn_client_node/x/pose", topicOf("_x"));
+  EXPECT_EQ("/vrpn_client_node/Rob/pose", topicOf("R\xC3\xB6"
+                                                  "ob"));
+  EXPECT_THROW(topicOf("7"), std::runtime_error);
+  EXPECT_THROW(topicOf("\xE7\xBA\xA2"), std::runtime_error);
   EXPECT_EQ("/robot_3/raw/robot_3", poseTopic("/{robot}/raw/{robot}", robot));
 }
 

@@ -9,6 +9,7 @@
 #include <limits>
 
 #include "bridge_world.hpp"
+#include "sylph_mocap_bridge/pose_topics_input.hpp"
 #include "sylph_ros/conversions.hpp"
 
 namespace sylph_mocap_bridge {
@@ -253,7 +254,7 @@ TEST_F(MocapBridgeNodeTest, TakesPosesFromTopics) {
   parameters_.set("pose_topic", "/driver/{rigid_body}/pose");
   startNode();
   ros::NodeHandle nh;
-  ros::Publisher driver = nh.advertise<PoseStamped>("/driver/blue_car/pose", 1);
+  ros::Publisher driver = nh.advertise<PoseStamped>("/driver/bluecar/pose", 1);
   PoseStamped pose;
   pose.header.frame_id = "world";
   pose.pose.position.x = 0.5;
@@ -301,6 +302,40 @@ std::string summaryOf(const Recorder<diagnostic_msgs::DiagnosticArray>& diagnost
   return text;
 }
 
+TEST_F(MocapBridgeNodeTest, NamesAllPoseTopicsThatLack) {
+  Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  parameters_.set("input", "pose_topics");
+  startNode();
+  // Its own topics of poses are none of the driver's.
+  EXPECT_TRUE(waitFor([&] {
+    return summaryOf(diagnostics, "link") ==
+           "nobody publishes /vrpn_client_node/red/pose, /vrpn_client_node/bluecar/pose: there is "
+           "no topic of poses at all, is the driver running?";
+  })) << summaryOf(diagnostics, "link");
+}
+
+TEST_F(MocapBridgeNodeTest, TwoBodiesOfOneTopicAreRefused) {
+  struct : MeasurementSink {
+    void onMeasurements(const std::vector<Measurement>& /*unused*/, double /*unused*/) override {}
+    void onRestart() override {}
+  } sink;
+  std::vector<sylph::RobotSpec> robots(2);
+  robots[0].name = "left";
+  robots[0].rigid_body = "Rigid Body 1";
+  robots[1].name = "right";
+  robots[1].rigid_body = "RigidBody-1";
+  ros::NodeHandle nh;
+  try {
+    const PoseTopicsInput input(nh, "/vrpn/{rigid_body}/pose", StampPolicy::Receive, robots, sink);
+    FAIL() << "two robots follow one body";
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(
+        "robots left and right would both follow /vrpn/RigidBody1/pose: give their rigid bodies "
+        "names that differ in letters or digits",
+        error.what());
+  }
+}
+
 TEST_F(MocapBridgeNodeTest, DiagnosticsTellWhatIsWrong) {
   Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
   const auto linkSays = [&diagnostics](const std::string& part) {
@@ -318,6 +353,21 @@ TEST_F(MocapBridgeNodeTest, DiagnosticsTellWhatIsWrong) {
   EXPECT_TRUE(waitFor([&] { return summaryOf(diagnostics, "bodies") == "all bodies are seen"; }));
   server_->setDefinitions(test::definitionsOf({"red", "red"}));
   EXPECT_TRUE(linkSays("more than one rigid body is called red"));
+}
+
+TEST_F(MocapBridgeNodeTest, AWrongBitstreamGivesNoPosesAndIsNamed) {
+  Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
+  parameters_.set("bitstream", "2.9");
+  sylph_natnet::ServerOptions options;
+  options.version = {2, 11};
+  startServer(zUpFrame, options);
+  startNode();
+  EXPECT_TRUE(waitFor([&] {
+    return summaryOf(diagnostics, "link") ==
+           "data are not what bitstream 2.9 says (frame: 4 bytes are left behind its end): the "
+           "server says that it streams 2.11: leave bitstream empty";
+  })) << summaryOf(diagnostics, "link");
+  EXPECT_EQ(0U, first_.count());
 }
 
 TEST_F(MocapBridgeNodeTest, EachBadParameterIsRefusedByName) {
@@ -355,21 +405,6 @@ TEST_F(MocapBridgeNodeTest, EachBadParameterIsRefusedByName) {
   EXPECT_TRUE(refuses("body_from_robot/robot_1/yaw_deg", 90.0));
   EXPECT_TRUE(refuses("largest_age_s", 0.0));
   EXPECT_TRUE(refuses("frozen_limit_s", -0.1));
-TEST_F(MocapBridgeNodeTest, AWrongBitstreamGivesNoPosesAndIsNamed) {
-  Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
-  parameters_.set("bitstream", "2.9");
-  sylph_natnet::ServerOptions options;
-  options.version = {2, 11};
-  startServer(zUpFrame, options);
-  startNode();
-  EXPECT_TRUE(waitFor([&] {
-    return summaryOf(diagnostics, "link") ==
-           "data are not what bitstream 2.9 says (frame: 4 bytes are left behind its end): the "
-           "server says that it streams 2.11: leave bitstream empty";
-  })) << summaryOf(diagnostics, "link");
-  EXPECT_EQ(0U, first_.count());
-}
-
   EXPECT_TRUE(refuses("position_sigma_m", -1.0));
   EXPECT_TRUE(refuses("tf_rate_hz", -1.0));
   EXPECT_TRUE(refuses("servre_address", "127.0.0.1"));

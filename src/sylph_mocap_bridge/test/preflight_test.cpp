@@ -166,5 +166,26 @@ TEST(PreflightTest, ASecondServerIsWorthAWarning) {
   EXPECT_EQ(Severity::Warning, preflight(status).severity);
 }
 
+TEST(TopicsFindingTest, NamesAllThatLackAndTheNearestThatThereAre) {
+  EXPECT_EQ(Severity::Ok, topicsFinding({}, {}, {}).severity);
+  const Finding finding = topicsFinding(
+      {"/vrpn_client_node/RigidBody1/pose", "/vrpn_client_node/RigidBody2/pose"},
+      {"/vrpn_client_node/RigidBody3/pose"},
+      {"/lamp/pose", "/vrpn_client_node/rigid_body_2/pose", "/vrpn_client_node/RigidBody11/pose"});
+  EXPECT_EQ(Severity::Error, finding.severity);
+  EXPECT_EQ(
+      "nobody publishes /vrpn_client_node/RigidBody1/pose, /vrpn_client_node/RigidBody2/pose: are "
+      "pose_topic and the rigid bodies' names right? There is /vrpn_client_node/RigidBody11/pose, "
+      "/vrpn_client_node/rigid_body_2/pose; nothing comes on /vrpn_client_node/RigidBody3/pose: "
+      "does the driver see these bodies?",
+      finding.text);
+}
+
+TEST(TopicsFindingTest, SaysWhenThereIsNoDriverAtAll) {
+  const Finding finding = topicsFinding({"/a/pose"}, {}, {});
+  EXPECT_EQ("nobody publishes /a/pose: there is no topic of poses at all, is the driver running?",
+            finding.text);
+}
+
 }  // namespace
 }  // namespace sylph_mocap_bridge

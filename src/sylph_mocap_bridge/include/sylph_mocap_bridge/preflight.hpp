@@ -38,4 +38,14 @@ struct Finding {
 /// switched off and wrong mode to wrong names.
 Finding preflight(const LinkStatus& status);
 
+/// What is wrong with the pose topics of another driver; all topics that lack are named.
+/// @param unpublished  topics that nobody publishes
+/// @param silent       topics that are published but bring nothing
+/// @param existing     topics of poses that others publish: those most like the unpublished ones
+/// are
+///                     told
+Finding topicsFinding(const std::vector<std::string>& unpublished,
+                      const std::vector<std::string>& silent,
+                      const std::vector<std::string>& existing);
+
 }  // namespace sylph_mocap_bridge
