@@ -14,7 +14,7 @@
 #include <mutex>
 #include <vector>
 
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph_robot_node {

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph_rviz {

@@ -5,7 +5,7 @@
 #include <random>
 #include <vector>
 
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_sim/fault.hpp"
 

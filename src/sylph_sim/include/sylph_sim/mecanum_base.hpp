@@ -5,7 +5,7 @@
 #include <random>
 
 #include "sylph_core/control/mecanum.hpp"
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/rng.hpp"
 
 namespace sylph_sim {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/control/motion.hpp"
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 #include "sylph_sim/cameras.hpp"
 #include "sylph_sim/contact_monitor.hpp"

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "sylph_core/control/drive_path.hpp"
-#include "sylph_core/control/motion.hpp"
-#include "sylph_core/control/vector2.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
+#include "sylph_core/geometry/vector2.hpp"
 
 namespace sylph {
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "sylph_core/control/vector2.hpp"
+#include "sylph_core/geometry/vector2.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph {
 

@@ -2,7 +2,7 @@
 
 #include <deque>
 
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph {
 

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph {
 

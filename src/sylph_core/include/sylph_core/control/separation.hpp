@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "sylph_core/control/footprint.hpp"
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph {
 

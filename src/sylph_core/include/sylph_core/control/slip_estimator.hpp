@@ -1,7 +1,7 @@
 #pragma once
 
-#include "sylph_core/control/motion.hpp"
-#include "sylph_core/control/vector2.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
+#include "sylph_core/geometry/vector2.hpp"
 
 namespace sylph {
 

@@ -1,17 +1,13 @@
 #pragma once
 
+#include "sylph_core/geometry/vector2.hpp"
 #include "sylph_core/grid/cell.hpp"
 #include "sylph_core/grid/grid.hpp"
 
 namespace sylph {
 
-/// A position in the `map` frame [m]: x right, y up, origin at the lower left corner of the map.
-struct Point {
-  double x = 0.0;
-  double y = 0.0;
-};
-
-/// The one conversion between cells and metres of the suite.
+/// The one conversion between cells and metres of the suite. Points are in the `map` frame: x
+/// right, y up, origin at the lower left corner of the map.
 ///
 /// x = (col + 0.5) * cell_size_m, y = (rows - row - 0.5) * cell_size_m
 class CellFrame {

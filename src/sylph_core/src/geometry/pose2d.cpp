@@ -1,4 +1,4 @@
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 
 #include <cmath>
 

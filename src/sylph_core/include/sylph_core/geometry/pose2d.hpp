@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sylph_core/grid/cell_frame.hpp"
+#include "sylph_core/geometry/vector2.hpp"
 
 namespace sylph {
 

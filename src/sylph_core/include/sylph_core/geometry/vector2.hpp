@@ -1,8 +1,12 @@
 #pragma once
 
-#include "sylph_core/grid/cell_frame.hpp"
-
 namespace sylph {
+
+/// A position in a frame [m].
+struct Point {
+  double x = 0.0;
+  double y = 0.0;
+};
 
 /// A direction, displacement or velocity in the plane.
 struct Vector2 {

@@ -1,4 +1,4 @@
-#include "sylph_core/control/motion.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 
 #include <gtest/gtest.h>
 
@@ -8,25 +8,25 @@
 namespace sylph {
 namespace {
 
-TEST(MotionTest, AnglesAreNormalisedToTheHalfOpenCircle) {
+TEST(Pose2dTest, AnglesAreNormalisedToTheHalfOpenCircle) {
   EXPECT_DOUBLE_EQ(M_PI, normalizeAngle(M_PI));
   EXPECT_DOUBLE_EQ(M_PI, normalizeAngle(-M_PI));
   EXPECT_NEAR(-0.5, normalizeAngle(4.0 * M_PI - 0.5), 1e-12);
 }
 
-TEST(MotionTest, TheShortestAngleCrossesTheSeam) {
+TEST(Pose2dTest, TheShortestAngleCrossesTheSeam) {
   EXPECT_NEAR(0.2, shortestAngle(M_PI - 0.1, -M_PI + 0.1), 1e-12);
   EXPECT_NEAR(-0.2, shortestAngle(-M_PI + 0.1, M_PI - 0.1), 1e-12);
 }
 
-TEST(MotionTest, ARobotFacingNorthDrivesNorthByDrivingForward) {
+TEST(Pose2dTest, ARobotFacingNorthDrivesNorthByDrivingForward) {
   const Twist2d twist_robot = robotFromMap({0.0, 0.2, 0.1}, M_PI / 2.0);
   EXPECT_NEAR(0.2, twist_robot.x_mps, 1e-12);
   EXPECT_NEAR(0.0, twist_robot.y_mps, 1e-12);
   EXPECT_DOUBLE_EQ(0.1, twist_robot.turn_radps);
 }
 
-TEST(MotionTest, MapAndRobotFrameThereAndBackIsTheIdentity) {
+TEST(Pose2dTest, MapAndRobotFrameThereAndBackIsTheIdentity) {
   const Twist2d twist_map = {0.1, -0.2, 0.3};
   for (double yaw_rad = -3.0; yaw_rad < 3.1; yaw_rad += 0.7) {
     const Twist2d back = mapFromRobot(robotFromMap(twist_map, yaw_rad), yaw_rad);
@@ -35,7 +35,7 @@ TEST(MotionTest, MapAndRobotFrameThereAndBackIsTheIdentity) {
   }
 }
 
-TEST(MotionTest, APoseWithOneNotANumberIsNotFinite) {
+TEST(Pose2dTest, APoseWithOneNotANumberIsNotFinite) {
   EXPECT_TRUE(isFinite({1.0, 2.0, 3.0}));
   EXPECT_FALSE(isFinite({1.0, 2.0, std::numeric_limits<double>::quiet_NaN()}));
   EXPECT_FALSE(isFinite({std::numeric_limits<double>::infinity(), 2.0, 3.0}));
