@@ -45,7 +45,7 @@ bool hasArrived(const DrivePath& path, int leg, const Pose2d& measured, const Ve
       std::abs(shortestAngle(measured.yaw_rad, heading_rad)) > options.heading_tolerance_rad) {
     return false;
   }
-  const double speed_mps = std::hypot(velocity_map.x, velocity_map.y);
+  const double speed_mps = norm(velocity_map);
   const double braking_s = speed_mps / (2.0 * options.acceleration_limit_mps2);
   const Point rest{here.x + braking_s * velocity_map.x, here.y + braking_s * velocity_map.y};
   return distanceToRest(path, leg + 1, rest) <= options.tracking_error_m;

@@ -18,17 +18,17 @@ double distanceToLeg(const Leg& leg, const Point& point) {
   const Vector2 offset = displacement(leg.start, point);
   const double along = std::clamp(dot(offset, leg.direction), 0.0, leg.length_m);
   const Vector2 across = offset - along * leg.direction;
-  return std::hypot(across.x, across.y);
+  return norm(across);
 }
 
 double halfTurnSine(const Vector2& in, const Vector2& out) {
   const Vector2 change = out - in;
-  return std::hypot(change.x, change.y) / 2.0;
+  return norm(change) / 2.0;
 }
 
 void DrivePath::append(const Point& end, double blend_m) {
   const Vector2 way = displacement(waypoints_.back(), end);
-  const double length_m = std::hypot(way.x, way.y);
+  const double length_m = norm(way);
   if (!std::isfinite(length_m) || length_m <= 0.0) {
     throw std::invalid_argument("leg of a path from a point to itself or to nowhere");
   }

@@ -20,10 +20,6 @@ void requireWithin(const char* name, double value, double low, double high) {
   }
 }
 
-double norm(const Vector2& v) {
-  return std::hypot(v.x, v.y);
-}
-
 Vector2 velocity(const MotionState& state) {
   return {state.twist_map.x_mps, state.twist_map.y_mps};
 }

@@ -93,12 +93,11 @@ Footprint SeparationWatch::whereItStops(const Track& track) const {
   if (duration_s <= 0.0) {
     return stopped;
   }
-  const double vx_mps = (last.pose.x_m - first.pose.x_m) / duration_s;
-  const double vy_mps = (last.pose.y_m - first.pose.y_m) / duration_s;
-  const double time_s = limits_.command_latency_s +
-                        std::hypot(vx_mps, vy_mps) / (2.0 * limits_.acceleration_limit_mps2);
-  stopped.center.x += vx_mps * time_s;
-  stopped.center.y += vy_mps * time_s;
+  const Vector2 velocity_mps =
+      1.0 / duration_s * displacement(position(first.pose), position(last.pose));
+  const double time_s =
+      limits_.command_latency_s + norm(velocity_mps) / (2.0 * limits_.acceleration_limit_mps2);
+  stopped.center = stopped.center + time_s * velocity_mps;
   return stopped;
 }
 

@@ -3,7 +3,6 @@
 #include <vector>
 
 #include "sylph_core/geometry/vector2.hpp"
-#include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph {
 

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "sylph_core/grid/cell_frame.hpp"
+#include "sylph_core/geometry/vector2.hpp"
 
 namespace sylph {
 

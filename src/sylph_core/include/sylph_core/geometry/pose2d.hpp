@@ -4,7 +4,9 @@
 
 namespace sylph {
 
-/// Where a robot is in the `map` frame. Yaw is counterclockwise from map x to robot x.
+/// Where a frame is in another one: an element of SE(2). Yaw is counterclockwise from the x axis of
+/// the other frame to that of the frame. Names compose: `map_from_robot` is where a robot is in the
+/// `map` frame, and takes what is told in the robot's frame to the map.
 struct Pose2d {
   double x_m = 0.0;
   double y_m = 0.0;
@@ -22,6 +24,15 @@ struct Twist2d {
 inline Point position(const Pose2d& pose) {
   return {pose.x_m, pose.y_m};
 }
+
+/// a_from_c, with a yaw in (-pi, pi].
+Pose2d compose(const Pose2d& a_from_b, const Pose2d& b_from_c);
+
+/// b_from_a, with a yaw in (-pi, pi].
+Pose2d inverse(const Pose2d& a_from_b);
+
+/// The coordinates in frame a of a point given in frame b.
+Point transform(const Pose2d& a_from_b, const Point& point_b);
 
 /// Euclidean length of the translational part [m/s].
 double speed(const Twist2d& twist);

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cmath>
+
 namespace sylph {
 
 /// A position in a frame [m].
@@ -28,6 +30,19 @@ inline double dot(const Vector2& a, const Vector2& b) {
 }
 inline Vector2 displacement(const Point& from, const Point& to) {
   return {to.x - from.x, to.y - from.y};
+}
+inline Point operator+(const Point& point, const Vector2& displacement) {
+  return {point.x + displacement.x, point.y + displacement.y};
+}
+/// Euclidean length.
+inline double norm(const Vector2& v) {
+  return std::hypot(v.x, v.y);
+}
+/// Turned counterclockwise.
+inline Vector2 rotate(const Vector2& v, double angle_rad) {
+  const double c = std::cos(angle_rad);
+  const double s = std::sin(angle_rad);
+  return {c * v.x - s * v.y, s * v.x + c * v.y};
 }
 
 }  // namespace sylph
