@@ -15,13 +15,6 @@ sylph::Pose2d between(const sylph::Pose2d& before, const sylph::Pose2d& after, d
                                 share * sylph::shortestAngle(before.yaw_rad, after.yaw_rad))};
 }
 
-/// The pose in the map of what lies at `local` in the frame of `parent`.
-sylph::Pose2d compose(const sylph::Pose2d& parent, const sylph::Pose2d& local) {
-  const sylph::Twist2d offset = sylph::mapFromRobot({local.x_m, local.y_m, 0.0}, parent.yaw_rad);
-  return {parent.x_m + offset.x_mps, parent.y_m + offset.y_mps,
-          sylph::normalizeAngle(parent.yaw_rad + local.yaw_rad)};
-}
-
 }  // namespace
 
 void requireValid(const CameraOptions& options) {
@@ -46,8 +39,8 @@ Cameras::Cameras(const CameraOptions& options, const std::vector<sylph::Pose2d>&
   for (const sylph::Pose2d& pose : poses) {
     const double x_m = draw(options_.body_offset_m);
     const double y_m = draw(options_.body_offset_m);
-    offsets_.push_back({x_m, y_m, draw(options_.body_yaw_offset_rad)});
-    last_seen_.push_back(compose(pose, offsets_.back()));
+    robot_from_body_.push_back({x_m, y_m, draw(options_.body_yaw_offset_rad)});
+    last_seen_.push_back(compose(pose, robot_from_body_.back()));
   }
 }
 
@@ -85,7 +78,7 @@ std::vector<CapturedFrame> Cameras::takeDue(double time_s) {
 
 CapturedBody Cameras::see(std::size_t robot, const std::vector<sylph::Pose2d>& poses,
                           const CaptureFault& fault) {
-  CapturedBody body{compose(poses[fault.shown_robot], offsets_[fault.shown_robot]), true};
+  CapturedBody body{compose(poses[fault.shown_robot], robot_from_body_[fault.shown_robot]), true};
   body.pose.x_m += options_.position_noise_m * normal_(rng_);
   body.pose.y_m += options_.position_noise_m * normal_(rng_);
   body.pose.yaw_rad += options_.yaw_noise_rad * normal_(rng_);

@@ -44,11 +44,10 @@ sylph::Pose2d integrate(const sylph::Pose2d& pose, const sylph::Twist2d& twist_r
   const bool is_small = std::abs(turn_rad) < 1e-6;
   const double along = is_small ? 1.0 : std::sin(turn_rad) / turn_rad;
   const double across = is_small ? turn_rad / 2.0 : (1.0 - std::cos(turn_rad)) / turn_rad;
-  const sylph::Twist2d chord_robot{twist_robot.x_mps * along - twist_robot.y_mps * across,
-                                   twist_robot.x_mps * across + twist_robot.y_mps * along, 0.0};
-  const sylph::Twist2d chord_map = sylph::mapFromRobot(chord_robot, pose.yaw_rad);
-  return {pose.x_m + chord_map.x_mps * duration_s, pose.y_m + chord_map.y_mps * duration_s,
-          sylph::normalizeAngle(pose.yaw_rad + turn_rad)};
+  const sylph::Pose2d before_from_after{
+      (twist_robot.x_mps * along - twist_robot.y_mps * across) * duration_s,
+      (twist_robot.x_mps * across + twist_robot.y_mps * along) * duration_s, turn_rad};
+  return compose(pose, before_from_after);
 }
 
 MecanumBase::MecanumBase(const BaseOptions& options, const sylph::Pose2d& pose, sylph::Rng rng)

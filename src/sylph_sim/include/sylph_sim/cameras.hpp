@@ -68,8 +68,8 @@ class Cameras {
   double last_s_;
   double start_s_;
   std::int32_t next_number_ = 1;
-  std::vector<sylph::Pose2d> offsets_;    // of each body in its robot's frame
-  std::vector<sylph::Pose2d> last_seen_;  // what a frozen body keeps showing
+  std::vector<sylph::Pose2d> robot_from_body_;  // of each robot
+  std::vector<sylph::Pose2d> last_seen_;        // what a frozen body keeps showing
   std::deque<CapturedFrame> waiting_;
 };
 
