@@ -1,7 +1,6 @@
 #include "sylph_mocap_bridge/conversions.hpp"
 
 #include <cassert>
-#include <cmath>
 
 #include "sylph_ros/topics.hpp"
 
@@ -75,12 +74,11 @@ nav_msgs::Odometry toOdometry(const RobotState& state, const std::string& robot,
     message.twist.covariance[diagonal(i + 3)] = kUnknownVariance;
   }
   const Velocity& velocity = *state.velocity;
-  const double yaw_rad = yawOf(state.map_from_robot);
-  const double cosine = std::cos(yaw_rad);
-  const double sine = std::sin(yaw_rad);
-  message.twist.twist.linear.x = cosine * velocity.x_mps + sine * velocity.y_mps;
-  message.twist.twist.linear.y = -sine * velocity.x_mps + cosine * velocity.y_mps;
-  message.twist.twist.angular.z = velocity.yaw_radps;
+  const sylph::Twist2d twist_robot = sylph::robotFromMap(
+      {velocity.x_mps, velocity.y_mps, velocity.yaw_radps}, yawOf(state.map_from_robot));
+  message.twist.twist.linear.x = twist_robot.x_mps;
+  message.twist.twist.linear.y = twist_robot.y_mps;
+  message.twist.twist.angular.z = twist_robot.turn_radps;
   message.twist.covariance[diagonal(0)] = velocity.linear_variance;
   message.twist.covariance[diagonal(1)] = velocity.linear_variance;
   message.twist.covariance[diagonal(5)] = velocity.angular_variance;

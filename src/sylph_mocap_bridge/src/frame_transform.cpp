@@ -13,12 +13,12 @@ Eigen::Vector3d zUp(const Eigen::Vector3d& y_up) {
 
 }  // namespace
 
-FrameTransform::FrameTransform(UpAxis up_axis, const PlanarPose& map_from_mocap)
+FrameTransform::FrameTransform(UpAxis up_axis, const sylph::Pose2d& map_from_mocap)
     : up_axis_(up_axis), map_from_mocap_(toPose(map_from_mocap)) {}
 
 std::optional<Pose> FrameTransform::mapFromRobot(const Eigen::Vector3d& position_m,
                                                  const Eigen::Vector4d& orientation_xyzw,
-                                                 const PlanarPose& body_from_robot) const {
+                                                 const sylph::Pose2d& body_from_robot) const {
   const double norm = orientation_xyzw.norm();
   // Written so that a norm that is no number fails.
   const bool is_rotation = norm >= kLeastNorm && norm <= kLargestNorm;

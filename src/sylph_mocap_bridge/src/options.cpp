@@ -97,10 +97,10 @@ void requireGroup(const ros::NodeHandle& group) {
   }
 }
 
-PlanarPose readPlanarPose(const ros::NodeHandle& nh) {
+sylph::Pose2d readPose(const ros::NodeHandle& nh) {
   requireGroup(nh);
   sylph_ros::requireKnown(nh, {"x_m", "y_m", "yaw_rad"});
-  PlanarPose pose;
+  sylph::Pose2d pose;
   for (const auto& [name, value] : {std::pair<const char*, double*>{"x_m", &pose.x_m},
                                     {"y_m", &pose.y_m},
                                     {"yaw_rad", &pose.yaw_rad}}) {
@@ -113,13 +113,13 @@ PlanarPose readPlanarPose(const ros::NodeHandle& nh) {
 void readTracks(const ros::NodeHandle& nh, const sylph::Experiment& experiment,
                 TracksOptions& tracks) {
   readChoice(nh, "up_axis", {{"y", UpAxis::Y}, {"z", UpAxis::Z}}, tracks.up_axis);
-  tracks.map_from_mocap = readPlanarPose(ros::NodeHandle(nh, "map_from_mocap"));
+  tracks.map_from_mocap = readPose(ros::NodeHandle(nh, "map_from_mocap"));
   const ros::NodeHandle bodies(nh, "body_from_robot");
   requireGroup(bodies);
   std::vector<std::string> names;
   for (const sylph::RobotSpec& robot : experiment.robots) {
     names.push_back(robot.name);
-    tracks.body_from_robot.push_back(readPlanarPose(ros::NodeHandle(bodies, robot.name)));
+    tracks.body_from_robot.push_back(readPose(ros::NodeHandle(bodies, robot.name)));
   }
   sylph_ros::requireKnown(bodies, names);
   const auto readPositive = [&nh](const char* name, double& value) {

@@ -40,8 +40,8 @@ TEST(FrameTransformTest, BothAxesTellTheSamePoses) {
   for (int round = 0; round < 200; ++round) {
     const Eigen::Vector3d p(draw(), draw(), draw());
     const Eigen::Vector4d q = Eigen::Vector4d(draw(), draw(), draw(), draw()).normalized();
-    const PlanarPose map_from_mocap{draw(), draw(), draw()};
-    const PlanarPose body_from_robot{draw(), draw(), draw()};
+    const sylph::Pose2d map_from_mocap{draw(), draw(), draw()};
+    const sylph::Pose2d body_from_robot{draw(), draw(), draw()};
     // (x, y, z) in Z-up axes is (x, z, -y) in Y-up ones, the vector of a rotation alike.
     const auto z_up = FrameTransform(UpAxis::Z, map_from_mocap).mapFromRobot(p, q, body_from_robot);
     const auto y_up =

@@ -18,14 +18,14 @@ enum class UpAxis { Y, Z };
 /// heading lie in its rigid body.
 class FrameTransform {
  public:
-  FrameTransform(UpAxis up_axis, const PlanarPose& map_from_mocap);
+  FrameTransform(UpAxis up_axis, const sylph::Pose2d& map_from_mocap);
 
   /// @param position_m        in the cameras' axes
   /// @param orientation_xyzw  in the cameras' axes, of a length within 0.9 ... 1.1
   /// @return nothing if a number is not finite or the orientation is no rotation
   std::optional<Pose> mapFromRobot(const Eigen::Vector3d& position_m,
                                    const Eigen::Vector4d& orientation_xyzw,
-                                   const PlanarPose& body_from_robot) const;
+                                   const sylph::Pose2d& body_from_robot) const;
 
  private:
   UpAxis up_axis_;

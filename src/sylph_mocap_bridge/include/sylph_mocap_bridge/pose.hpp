@@ -1,6 +1,9 @@
 #pragma once
 
 #include <Eigen/Geometry>
+#include <cmath>
+
+#include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph_mocap_bridge {
 
@@ -16,14 +19,7 @@ inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) {
           (a_from_b.orientation * b_from_c.orientation).normalized()};
 }
 
-/// A shift and a turn in the plane [m, rad].
-struct PlanarPose {
-  double x_m = 0.0;
-  double y_m = 0.0;
-  double yaw_rad = 0.0;
-};
-
-inline Pose toPose(const PlanarPose& planar) {
+inline Pose toPose(const sylph::Pose2d& planar) {
   return {{planar.x_m, planar.y_m, 0.0},
           Eigen::Quaterniond(Eigen::AngleAxisd(planar.yaw_rad, Eigen::Vector3d::UnitZ()))};
 }

@@ -13,9 +13,9 @@ namespace sylph_mocap_bridge {
 
 struct TracksOptions {
   UpAxis up_axis = UpAxis::Z;
-  PlanarPose map_from_mocap;                ///< where the cameras' origin lies on the map
-  std::vector<PlanarPose> body_from_robot;  ///< of each robot
-  double largest_age_s = 0.5;               ///< an older pose is stale, > 0
+  sylph::Pose2d map_from_mocap;                ///< where the cameras' origin lies on the map
+  std::vector<sylph::Pose2d> body_from_robot;  ///< of each robot
+  double largest_age_s = 0.5;                  ///< an older pose is stale, > 0
   /// A pose that keeps each of its bits for longer is frozen: cameras have noise, >= 0, 0: never.
   double frozen_limit_s = 0.1;
   TrackerOptions tracker;
