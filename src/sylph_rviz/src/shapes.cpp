@@ -211,9 +211,10 @@ Marker attach(Marker marker, const RobotView& robot, bool turn) {
     return marker;
   }
   const double back_rad = -robot.pose->yaw_rad;
-  const geometry_msgs::Point offset = marker.pose.position;
-  marker.pose.position.x = std::cos(back_rad) * offset.x - std::sin(back_rad) * offset.y;
-  marker.pose.position.y = std::sin(back_rad) * offset.x + std::cos(back_rad) * offset.y;
+  const sylph::Vector2 offset =
+      sylph::rotate({marker.pose.position.x, marker.pose.position.y}, back_rad);
+  marker.pose.position.x = offset.x;
+  marker.pose.position.y = offset.y;
   marker.pose.orientation = sylph_ros::quaternionFromYaw(back_rad);
   return marker;
 }
