@@ -1,6 +1,5 @@
 #include <benchmark/benchmark.h>
 
-#include <algorithm>
 #include <map>
 #include <utility>
 
@@ -22,7 +21,7 @@ const Plan& planOf(int agents, int steps) {
     }
     const Grid grid(side, side);
     Configuration cells = grid.freeCells();
-    std::shuffle(cells.begin(), cells.end(), rng);
+    shuffle(cells, rng);
     cells.resize(static_cast<std::size_t>(agents));
     plan = test::randomWalk(grid, cells, steps, false, rng);
   }

@@ -114,7 +114,7 @@ class NewStarts {
   std::vector<Vertices> run(std::vector<Vertices> plan, const Deadline& deadline) {
     long best_cost = sumOfCosts(pathsOf(plan));
     while (failures_ < kMostFailures && !deadline.isOver()) {
-      std::vector<Vertices> candidate = searchFrom(plan, (*rng_)() % plan.size(), deadline);
+      std::vector<Vertices> candidate = searchFrom(plan, drawIndex(*rng_, plan.size()), deadline);
       const long cost = sumOfCosts(pathsOf(candidate));
       if (candidate.back() == problem_->goals && cost < best_cost) {
         best_cost = cost;

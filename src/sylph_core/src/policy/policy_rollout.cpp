@@ -33,15 +33,9 @@ float meanAngle(const float* probabilities) {
 }
 
 float drawnAngle(const float* probabilities, Rng& rng) {
-  double left = drawFraction(rng);
-  int level = 0;
-  for (; level < kMostProsocialLevel; ++level) {
-    left -= static_cast<double>(probabilities[level]);
-    if (left < 0.0) {
-      break;
-    }
-  }
-  return static_cast<float>(svoOfLevel(level));
+  const std::size_t level =
+      drawByWeight(rng, kSvoLevelCount, [&](std::size_t index) { return probabilities[index]; });
+  return static_cast<float>(svoOfLevel(static_cast<int>(level)));
 }
 
 /// The distribution of an agent on its goal.

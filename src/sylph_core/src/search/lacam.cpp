@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kStepsBetweenClockReads = 16;
 // Once there is a solution, depth first alone would stay near its end.
-constexpr int kStepsBetweenJumps = 64;
+constexpr std::size_t kStepsBetweenJumps = 64;
 
 }  // namespace
 
@@ -29,8 +29,8 @@ Lacam::Status Lacam::search(const Deadline& deadline, long max_steps) {
     if (steps == max_steps || (iteration % kStepsBetweenClockReads == 0 && deadline.isOver())) {
       return Status::Unfinished;
     }
-    if (isSolved() && (*rng_)() % kStepsBetweenJumps == 0) {
-      std::swap(open_[(*rng_)() % open_.size()], open_.back());
+    if (isSolved() && drawIndex(*rng_, kStepsBetweenJumps) == 0) {
+      std::swap(open_[drawIndex(*rng_, open_.size())], open_.back());
     }
     Node& node = *open_.back();
     if (!isWorthwhile(node) || node.next_constraint == node.constraints.size()) {
@@ -91,7 +91,7 @@ void Lacam::appendChildren(Node& node, std::size_t constraint) {
   const Graph::Neighbors neighbors = problem_->graph.neighbors(at);
   Vertices targets(neighbors.begin(), neighbors.end());
   targets.push_back(at);
-  std::shuffle(targets.begin(), targets.end(), *rng_);
+  shuffle(targets, *rng_);
   for (const VertexId target : targets) {
     if (isConsistent(node, depth, target)) {
       node.constraints.push_back({static_cast<std::int32_t>(constraint), depth + 1, target});

@@ -13,11 +13,6 @@ constexpr int kIterationsBetweenShrinks = 256;
 constexpr double kForgetting = 0.01;
 constexpr double kExploration = 0.2;  // share of neighbourhoods drawn without regard to gains
 
-// In (0, 1].
-double drawShare(Rng& rng) {
-  return (static_cast<double>(rng()) + 1.0) / 4294967296.0;
-}
-
 // Room for agents to arrive somewhat later than the last one does now.
 int horizonFor(int makespan) {
   return makespan + makespan / 16 + 4;
@@ -62,7 +57,7 @@ void LargeNeighborhoodSearch::run(const Deadline& deadline, double temperature, 
   double before_s = deadline.elapsed();
   for (long iteration = 1; best_cost_ > lower_bound_ && !deadline.isOver(); ++iteration) {
     Arm& arm = arms_[drawArm(rng)];
-    const auto allowed_loss = static_cast<long>(-temperature * std::log(drawShare(rng)));
+    const auto allowed_loss = static_cast<long>(-temperature * std::log(1.0 - drawFraction(rng)));
     const long cost_before = cost_;
     replan(neighborhoods_.pick(arm.kind, arm.size, rng), allowed_loss, rng);
     keepIfBest();
@@ -77,25 +72,16 @@ void LargeNeighborhoodSearch::run(const Deadline& deadline, double temperature, 
 }
 
 std::size_t LargeNeighborhoodSearch::drawArm(Rng& rng) const {
-  if (drawShare(rng) < kExploration) {
-    return rng() % arms_.size();
+  if (drawFraction(rng) < kExploration) {
+    return drawIndex(rng, arms_.size());
   }
-  double total = 0.0;
-  for (const Arm& arm : arms_) {
-    total += arm.gain_per_s;
-  }
-  double ticket = drawShare(rng) * total;
-  std::size_t index = 0;
-  while (index + 1 < arms_.size() && ticket > arms_[index].gain_per_s) {
-    ticket -= arms_[index].gain_per_s;
-    ++index;
-  }
-  return index;
+  return drawByWeight(rng, arms_.size(),
+                      [&](std::size_t index) { return arms_[index].gain_per_s; });
 }
 
 // @return whether the agents have new paths; otherwise they keep their old ones
 bool LargeNeighborhoodSearch::replan(std::vector<AgentId> agents, long allowed_loss, Rng& rng) {
-  std::shuffle(agents.begin(), agents.end(), rng);
+  shuffle(agents, rng);
   std::vector<VertexPath> old_paths;
   long old_cost = 0;
   long least_cost = 0;

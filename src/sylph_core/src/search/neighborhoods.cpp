@@ -7,7 +7,7 @@ namespace sylph {
 namespace {
 
 int drawBelow(int bound, Rng& rng) {
-  return static_cast<int>(rng() % static_cast<unsigned>(bound));
+  return static_cast<int>(drawIndex(rng, static_cast<std::size_t>(bound)));
 }
 
 }  // namespace
@@ -67,20 +67,8 @@ std::vector<AgentId> Neighborhoods::pickRandom(int size, Rng& rng) const {
 
 // An agent with probability in proportion to its delay.
 AgentId Neighborhoods::drawDelayedAgent(Rng& rng) const {
-  long total = 0;
-  for (AgentId agent = 0; agent < agentCount(); ++agent) {
-    total += delayOf(agent);
-  }
-  if (total == 0) {
-    return drawBelow(agentCount(), rng);
-  }
-  long ticket = static_cast<long>(rng()) % total;
-  AgentId agent = 0;
-  while (ticket >= delayOf(agent)) {
-    ticket -= delayOf(agent);
-    ++agent;
-  }
-  return agent;
+  return static_cast<AgentId>(drawByWeight(
+      rng, goals_.size(), [&](std::size_t agent) { return delayOf(static_cast<AgentId>(agent)); }));
 }
 
 std::vector<AgentId> Neighborhoods::pickDelayed(int size, Rng& rng) {

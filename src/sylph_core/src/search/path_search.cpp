@@ -106,7 +106,7 @@ VertexPath PathSearch::trace(const ReservationTable& table, VertexId goal, Times
   VertexId vertex = goal;
   for (Timestep timestep = arrival; timestep > 0; --timestep) {
     std::array<VertexId, 5> origins{};
-    std::uint32_t count = 0;
+    std::size_t count = 0;
     if (isReached(layout, vertex, timestep - 1)) {
       origins[count++] = vertex;
     }
@@ -115,7 +115,7 @@ VertexPath PathSearch::trace(const ReservationTable& table, VertexId goal, Times
         origins[count++] = origin;
       }
     }
-    vertex = count == 1 ? origins[0] : origins[rng() % count];
+    vertex = count == 1 ? origins[0] : origins[drawIndex(rng, count)];
     path[static_cast<std::size_t>(timestep) - 1] = vertex;
   }
   return path;
