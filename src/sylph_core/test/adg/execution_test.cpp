@@ -365,7 +365,7 @@ TEST_F(ExecutionProperty, ArrivesOverABadLineWithRestartsOfBothEnds) {
     log_.clear();
     robots_.assign(8, Robot());
     Configuration cells = Grid(kRows, kCols).freeCells();
-    std::shuffle(cells.begin(), cells.end(), rng);
+    shuffle(cells, rng);
     cells.resize(robots_.size());
     const Plan plan = test::randomWalk(Grid(kRows, kCols), cells, 12, false, rng);
     place(cells);
@@ -403,7 +403,7 @@ TEST_F(ExecutionProperty, ArrivesOverABadLineWithRestartsOfBothEnds) {
           robot.position = position;
         }
       }
-      std::shuffle(in_flight.begin(), in_flight.end(), rng);
+      shuffle(in_flight, rng);
       while (in_flight.size() > 6) {
         execution_->report(in_flight.back().first, in_flight.back().second, now_s_);
         in_flight.pop_back();

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <random>
 #include <unordered_map>
 #include <vector>
 
@@ -15,7 +14,7 @@
 namespace sylph::test {
 
 inline int uniform(int low, int high, Rng& rng) {
-  return std::uniform_int_distribution<int>(low, high)(rng);
+  return low + static_cast<int>(drawIndex(rng, static_cast<std::size_t>(high - low + 1)));
 }
 
 template <typename Value>
@@ -82,7 +81,7 @@ inline Plan randomWalk(const Grid& grid, const Configuration& start, int steps, 
 inline Plan randomPlan(Rng& rng, bool rotations = false) {
   const Grid grid(uniform(2, 5, rng), uniform(2, 5, rng));
   Configuration cells = grid.freeCells();
-  std::shuffle(cells.begin(), cells.end(), rng);
+  shuffle(cells, rng);
   cells.resize(static_cast<std::size_t>(uniform(1, std::max(1, grid.size() - 1), rng)));
   return randomWalk(grid, cells, uniform(0, 20, rng), rotations, rng);
 }

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdint>
 #include <deque>
-#include <random>
 #include <utility>
 #include <vector>
 
@@ -137,9 +136,9 @@ class ClosedLoop {
 
   void capture() {
     Pose2d seen = pose_;
-    seen.x_m += plant_.noise_m * normal_(rng_);
-    seen.y_m += plant_.noise_m * normal_(rng_);
-    seen.yaw_rad += plant_.yaw_noise_rad * normal_(rng_);
+    seen.x_m += plant_.noise_m * drawNormal(rng_);
+    seen.y_m += plant_.noise_m * drawNormal(rng_);
+    seen.yaw_rad += plant_.yaw_noise_rad * drawNormal(rng_);
     seen_.push_back({time_s_, seen});
     while (!seen_.empty() && seen_.front().first + plant_.camera_delay_s <= time_s_) {
       captured_s_ = seen_.front().first;
@@ -189,7 +188,6 @@ class ClosedLoop {
   Pose2d pose_;
   Pose2d captured_;
   Rng rng_;
-  std::normal_distribution<double> normal_;
   double heading_rad_ = 0.0;
   double captured_s_ = 0.0;
   double time_s_ = 0.0;

@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <vector>
 
 #include "sylph_core/grid/rng.hpp"
@@ -77,15 +76,17 @@ TEST(FootprintGapTest, RobotsWithFreeHeadingsCanTouchAtExactCentres) {
 
 TEST(FootprintGapProperty, EqualsBruteForceAndIsSymmetric) {
   Rng rng(7);
-  std::uniform_real_distribution<double> position(-0.4, 0.4);
-  std::uniform_real_distribution<double> yaw(-kPi, kPi);
-  std::uniform_real_distribution<double> side(0.05, 0.4);
+  const auto draw = [&] {
+    const Point center{drawBetween(rng, -0.4, 0.4), drawBetween(rng, -0.4, 0.4)};
+    return Footprint{center, drawBetween(rng, -kPi, kPi), drawBetween(rng, 0.05, 0.4),
+                     drawBetween(rng, 0.05, 0.4)};
+  };
   const int per_side = 40;
   int overlapping = 0;
   for (int trial = 0; trial < 500; ++trial) {
     SCOPED_TRACE("trial " + std::to_string(trial));
-    const Footprint a{{position(rng), position(rng)}, yaw(rng), side(rng), side(rng)};
-    const Footprint b{{position(rng), position(rng)}, yaw(rng), side(rng), side(rng)};
+    const Footprint a = draw();
+    const Footprint b = draw();
     const double gap = footprintGap(a, b);
     // Samples contain every corner, so the brute force is exact for rectangles that are apart and
     // misses an overlap by less than the distance of two samples.

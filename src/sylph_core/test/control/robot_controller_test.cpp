@@ -4,7 +4,6 @@
 
 #include <cmath>
 #include <limits>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -86,7 +85,7 @@ class World {
       controller.onCentralState(mode, now_s);
     }
     if (node_runs && cameras_send) {
-      const double noise_m = 1e-4 * normal_(rng_);
+      const double noise_m = 1e-4 * drawNormal(rng_);
       controller.onPose({{pose.x_m + camera_offset.x_m + noise_m, pose.y_m + camera_offset.y_m,
                           pose.yaw_rad + camera_offset.yaw_rad},
                          now_s,
@@ -114,7 +113,6 @@ class World {
   double commanded_s_ = 0.0;
   Twist2d wheel_map_;
   Rng rng_{1};
-  std::normal_distribution<double> normal_;
 };
 
 TEST(RobotControllerTest, CarriesOutItsTasks) {

@@ -2,8 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <random>
 #include <stdexcept>
 
 #include "sylph_core/grid/rng.hpp"
@@ -131,15 +129,15 @@ TEST(TaskQueueProperty, WhateverIsLostDoubledOrReorderedEachTaskIsAcceptedOnceAn
     std::vector<AssignedTask> sent;
     for (std::uint32_t round = 0; round < 40 && queue.done() < 6; ++round) {
       for (std::uint32_t k = 0; k < 6; ++k) {
-        if (rng() % 3 != 0) {
+        if (drawIndex(rng, 3) != 0) {
           sent.push_back(east(1, k, static_cast<int>(k)));
         }
       }
-      std::shuffle(sent.begin(), sent.end(), rng);
-      while (!sent.empty() && rng() % 4 != 0) {
+      shuffle(sent, rng);
+      while (!sent.empty() && drawIndex(rng, 4) != 0) {
         queue.offer(sent.back(), in(0));
         sent.pop_back();
-        if (!queue.isIdle() && rng() % 3 == 0) {
+        if (!queue.isIdle() && drawIndex(rng, 3) == 0) {
           queue.completeCurrent();
         }
         ASSERT_LE(queue.accepted(), 6);

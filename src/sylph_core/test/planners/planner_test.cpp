@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -22,9 +21,9 @@ Instance randomInstance(std::uint32_t seed, int side, double density, int agents
                               static_cast<double>(rng()) < density * 4294967296.0);
   }
   Configuration cells = connectedComponents(instance.grid).cells.front();
-  std::shuffle(cells.begin(), cells.end(), rng);
+  shuffle(cells, rng);
   instance.starts.assign(cells.begin(), cells.begin() + agents);
-  std::shuffle(cells.begin(), cells.end(), rng);
+  shuffle(cells, rng);
   instance.goals.assign(cells.begin(), cells.begin() + agents);
   return instance;
 }

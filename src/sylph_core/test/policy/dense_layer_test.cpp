@@ -2,23 +2,23 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
 #include <stdexcept>
+
+#include "sylph_core/grid/rng.hpp"
 
 namespace sylph {
 namespace {
 
-std::vector<float> randomValues(std::size_t count, std::mt19937& rng) {
-  std::uniform_real_distribution<float> uniform(-1.F, 1.F);
+std::vector<float> randomValues(std::size_t count, Rng& rng) {
   std::vector<float> values(count);
   for (float& value : values) {
-    value = uniform(rng);
+    value = static_cast<float>(drawBetween(rng, -1.0, 1.0));
   }
   return values;
 }
 
 TEST(DenseLayerProperty, EqualsTheDefinition) {
-  std::mt19937 rng(1);
+  Rng rng(1);
   for (const int outputs : {1, 5, 16, 17, 32, 80, 128}) {
     for (const int inputs : {1, 3, 63, 128}) {
       for (const int count : {1, 3, 4, 9}) {

@@ -5,7 +5,8 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
-#include <random>
+
+#include "sylph_core/grid/rng.hpp"
 
 namespace sylph {
 namespace {
@@ -97,11 +98,11 @@ TEST(TensorFileProperty, ABrokenFileIsReadOrRefusedWithItsName) {
   for (std::size_t cut = 0; cut < whole.size(); ++cut) {
     EXPECT_NE("", errorOf(whole.substr(0, cut))) << "cut at " << cut;
   }
-  std::mt19937 rng(1);
+  Rng rng(1);
   int refused = 0;
   for (int round = 0; round < 500; ++round) {
     std::string broken = whole;
-    broken[rng() % broken.size()] = static_cast<char>(rng() % 256);
+    broken[drawIndex(rng, broken.size())] = static_cast<char>(drawIndex(rng, 256));
     refused += errorOf(broken).empty() ? 0 : 1;  // errorOf() checks that the file is named
   }
   EXPECT_GT(refused, 200);

@@ -15,7 +15,7 @@ namespace sylph {
 namespace {
 
 int drawInt(Rng& rng, int low, int high) {
-  return low + static_cast<int>(rng() % static_cast<unsigned>(high - low + 1));
+  return low + static_cast<int>(drawIndex(rng, static_cast<std::size_t>(high - low + 1)));
 }
 
 bool isLegalStep(const Configuration& from, const Configuration& to, bool rotations) {
@@ -97,9 +97,9 @@ Instance crowdedInstance(int max_agents, bool rotations, Rng& rng) {
     }
     Configuration cells = components.cells.front();
     const int agents = drawInt(rng, 1, std::min(max_agents, static_cast<int>(cells.size())));
-    std::shuffle(cells.begin(), cells.end(), rng);
+    shuffle(cells, rng);
     instance.starts.assign(cells.begin(), cells.begin() + agents);
-    std::shuffle(cells.begin(), cells.end(), rng);
+    shuffle(cells, rng);
     instance.goals.assign(cells.begin(), cells.begin() + agents);
     return instance;
   }

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <deque>
-#include <random>
 #include <stdexcept>
 
 #include "sylph_core/grid/rng.hpp"
@@ -23,7 +22,7 @@ struct World {
 };
 
 int draw(Rng& rng, int bound) {
-  return std::uniform_int_distribution<int>(0, bound - 1)(rng);
+  return static_cast<int>(drawIndex(rng, static_cast<std::size_t>(bound)));
 }
 
 World randomWorld(Rng& rng) {
@@ -34,7 +33,7 @@ World randomWorld(Rng& rng) {
   }
   world.motion.rotations = draw(rng, 2) == 0;
   world.cells = world.grid.freeCells();
-  std::shuffle(world.cells.begin(), world.cells.end(), rng);
+  shuffle(world.cells, rng);
   world.cells.resize(static_cast<std::size_t>(draw(rng, static_cast<int>(world.cells.size()) + 1)));
   for (std::size_t agent = 0; agent < world.cells.size(); ++agent) {
     world.wishes.push_back(kActions[static_cast<std::size_t>(draw(rng, kActionCount))]);
