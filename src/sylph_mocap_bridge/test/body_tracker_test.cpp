@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
+#include "sylph_core/grid/rng.hpp"
 
 namespace sylph_mocap_bridge {
 namespace {
@@ -47,19 +47,19 @@ TEST(BodyTrackerTest, FollowsAHeadingThroughPi) {
 
 TEST(BodyTrackerTest, ItsVarianceIsThatOfItsErrors) {
   const TrackerOptions options;
-  std::mt19937 rng(3);
-  std::normal_distribution<double> noise_m(0.0, options.position_sigma_m);
-  std::normal_distribution<double> acceleration(0.0, options.acceleration_sigma_mps2);
+  sylph::Rng rng(3);
   BodyTracker tracker(options);
   double x_m = 0.0;
   double speed_mps = 0.0;
   double normalised_errors = 0.0;
   int count = 0;
   for (int i = 0; i < 20000; ++i) {
-    const double a = acceleration(rng) - 0.2 * speed_mps;  // kept from running away
+    const double a = options.acceleration_sigma_mps2 * sylph::drawNormal(rng) -
+                     0.2 * speed_mps;  // kept from running away
     x_m += speed_mps * kPeriodS + 0.5 * a * kPeriodS * kPeriodS;
     speed_mps += a * kPeriodS;
-    const auto velocity = tracker.update(poseAt(x_m + noise_m(rng), 0.0, 0.0), i * kPeriodS);
+    const double noise_m = options.position_sigma_m * sylph::drawNormal(rng);
+    const auto velocity = tracker.update(poseAt(x_m + noise_m, 0.0, 0.0), i * kPeriodS);
     if (velocity && i > 100) {
       const double error = velocity->x_mps - speed_mps;
       normalised_errors += error * error / velocity->linear_variance;

@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include <limits>
-#include <random>
+
+#include "sylph_core/grid/rng.hpp"
 
 namespace sylph_mocap_bridge {
 namespace {
@@ -34,9 +35,8 @@ TEST(FrameTransformTest, YUpTurnsUpToUpAndKeepsTheHeading) {
 }
 
 TEST(FrameTransformTest, BothAxesTellTheSamePoses) {
-  std::mt19937 rng(11);
-  std::normal_distribution<double> normal;
-  const auto draw = [&] { return normal(rng); };
+  sylph::Rng rng(11);
+  const auto draw = [&] { return sylph::drawNormal(rng); };
   for (int round = 0; round < 200; ++round) {
     const Eigen::Vector3d p(draw(), draw(), draw());
     const Eigen::Vector4d q = Eigen::Vector4d(draw(), draw(), draw(), draw()).normalized();

@@ -34,7 +34,7 @@ Cameras::Cameras(const CameraOptions& options, const std::vector<sylph::Pose2d>&
   requireValid(options);
   // Clipped at 2.5 deviations: a marker set that is mounted worse than that would be seen.
   const auto draw = [this](double deviation) {
-    return deviation * std::clamp(normal_(rng_), -2.5, 2.5);
+    return deviation * std::clamp(sylph::drawNormal(rng_), -2.5, 2.5);
   };
   for (const sylph::Pose2d& pose : poses) {
     const double x_m = draw(options_.body_offset_m);
@@ -58,7 +58,7 @@ void Cameras::capture(double time_s, const std::vector<sylph::Pose2d>& before,
     for (std::size_t robot = 0; robot < poses.size(); ++robot) {
       frame.bodies.push_back(see(robot, poses, faults.robots[robot].capture));
     }
-    const bool is_lost = uniform_(rng_) < options_.frame_loss_probability;
+    const bool is_lost = sylph::drawFraction(rng_) < options_.frame_loss_probability;
     if (!is_lost && !faults.is_silent) {
       waiting_.push_back(std::move(frame));
     }
@@ -79,9 +79,9 @@ std::vector<CapturedFrame> Cameras::takeDue(double time_s) {
 CapturedBody Cameras::see(std::size_t robot, const std::vector<sylph::Pose2d>& poses,
                           const CaptureFault& fault) {
   CapturedBody body{compose(poses[fault.shown_robot], robot_from_body_[fault.shown_robot]), true};
-  body.pose.x_m += options_.position_noise_m * normal_(rng_);
-  body.pose.y_m += options_.position_noise_m * normal_(rng_);
-  body.pose.yaw_rad += options_.yaw_noise_rad * normal_(rng_);
+  body.pose.x_m += options_.position_noise_m * sylph::drawNormal(rng_);
+  body.pose.y_m += options_.position_noise_m * sylph::drawNormal(rng_);
+  body.pose.yaw_rad += options_.yaw_noise_rad * sylph::drawNormal(rng_);
   if (fault.is_frozen) {
     body.pose = last_seen_[robot];
   }
@@ -92,7 +92,7 @@ CapturedBody Cameras::see(std::size_t robot, const std::vector<sylph::Pose2d>& p
     const double nan = std::numeric_limits<double>::quiet_NaN();
     body.pose = {nan, nan, nan};
   }
-  body.is_tracked = !fault.is_lost && !(uniform_(rng_) < options_.occlusion_probability);
+  body.is_tracked = !fault.is_lost && !(sylph::drawFraction(rng_) < options_.occlusion_probability);
   return body;
 }
 

@@ -55,7 +55,7 @@ MecanumBase::MecanumBase(const BaseOptions& options, const sylph::Pose2d& pose, 
   requireValid(options);
   for (double& gain : gains_) {
     // Clipped, so that no draw makes a wheel that hardly turns.
-    gain = 1.0 + options_.wheel_scale_error * std::clamp(normal_(rng_), -2.5, 2.5);
+    gain = 1.0 + options_.wheel_scale_error * std::clamp(sylph::drawNormal(rng_), -2.5, 2.5);
   }
 }
 
@@ -114,9 +114,9 @@ MecanumBase::Wheels MecanumBase::rollingSpeeds(double duration_s) {
   Wheels rolling{};
   for (std::size_t wheel = 0; wheel < rolling.size(); ++wheel) {
     speed_noise_[wheel] = nextNoise(speed_noise_[wheel], options_.speed_noise, duration_s,
-                                    options_.noise_correlation_s, normal_(rng_));
+                                    options_.noise_correlation_s, sylph::drawNormal(rng_));
     slip_noise_[wheel] = nextNoise(slip_noise_[wheel], options_.slip_noise, duration_s,
-                                   options_.noise_correlation_s, normal_(rng_));
+                                   options_.noise_correlation_s, sylph::drawNormal(rng_));
     const double slip = std::clamp(options_.slip + slip_noise_[wheel], 0.0, 1.0);
     rolling[wheel] =
         wheels_radps_[wheel] * gains_[wheel] * (1.0 + speed_noise_[wheel]) * (1.0 - slip);

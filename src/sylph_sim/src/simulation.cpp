@@ -1,6 +1,5 @@
 #include "sylph_sim/simulation.hpp"
 
-#include <random>
 #include <stdexcept>
 
 #include "sylph_sim/bounds.hpp"
@@ -51,12 +50,12 @@ Simulation::Simulation(const SimulationOptions& options, const sylph::Experiment
 
 void Simulation::placeRobots() {
   sylph::Rng rng = seeded(experiment_.seed, kPlacementPart);
-  std::uniform_real_distribution<double> unit(-1.0, 1.0);
+  const auto unit = [&rng] { return sylph::drawBetween(rng, -1.0, 1.0); };
   for (const sylph::RobotSpec& robot : experiment_.robots) {
     const sylph::Point center = cell_frame_.toPoint(robot.start);
-    const double x_m = center.x + options_.start_offset_m * unit(rng);
-    const double y_m = center.y + options_.start_offset_m * unit(rng);
-    poses_.push_back({x_m, y_m, options_.start_yaw_offset_rad * unit(rng)});
+    const double x_m = center.x + options_.start_offset_m * unit();
+    const double y_m = center.y + options_.start_offset_m * unit();
+    poses_.push_back({x_m, y_m, options_.start_yaw_offset_rad * unit()});
     const auto part = kFirstRobotPart + static_cast<std::uint32_t>(bases_.size());
     bases_.emplace_back(options_.base, poses_.back(), seeded(experiment_.seed, part));
   }

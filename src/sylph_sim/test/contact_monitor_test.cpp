@@ -5,7 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
+
+#include "sylph_core/grid/rng.hpp"
 
 namespace sylph_sim {
 namespace {
@@ -54,16 +55,15 @@ TEST(ContactMonitorTest, RobotsThatStartInContactCollideOnce) {
 }
 
 TEST(ContactMonitorTest, EqualsTheComparisonOfAllPairs) {
-  std::mt19937 rng(3);
-  std::uniform_real_distribution<double> place(0.0, 3.0);
-  std::uniform_real_distribution<double> turn(-3.0, 3.0);
+  sylph::Rng rng(3);
+  const auto draw = [&rng](double low, double high) { return sylph::drawBetween(rng, low, high); };
   for (int run = 0; run < 50; ++run) {
     ContactMonitor monitor;
     double expected_m = std::numeric_limits<double>::infinity();
     for (int time = 0; time < 4; ++time) {
       std::vector<sylph::Footprint> robots;
       for (int robot = 0; robot < 8; ++robot) {
-        robots.push_back(robotAt(place(rng), place(rng), turn(rng)));
+        robots.push_back(robotAt(draw(0.0, 3.0), draw(0.0, 3.0), draw(-3.0, 3.0)));
       }
       std::set<std::pair<std::size_t, std::size_t>> contacts;
       for (std::size_t a = 0; a < robots.size(); ++a) {

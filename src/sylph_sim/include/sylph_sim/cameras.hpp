@@ -2,7 +2,6 @@
 
 #include <cstdint>
 #include <deque>
-#include <random>
 #include <vector>
 
 #include "sylph_core/geometry/pose2d.hpp"
@@ -63,8 +62,6 @@ class Cameras {
 
   CameraOptions options_;
   sylph::Rng rng_;
-  std::normal_distribution<double> normal_;
-  std::uniform_real_distribution<double> uniform_;
   double last_s_;
   double start_s_;
   std::int32_t next_number_ = 1;

@@ -2,7 +2,6 @@
 
 #include <array>
 #include <deque>
-#include <random>
 
 #include "sylph_core/control/mecanum.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
@@ -73,7 +72,6 @@ class MecanumBase {
   BaseOptions options_;
   sylph::MecanumKinematics kinematics_;
   sylph::Rng rng_;
-  std::normal_distribution<double> normal_;
   std::deque<Command> commands_;  // the one in effect first, then those on their way
   sylph::Pose2d pose_;
   sylph::Twist2d twist_robot_;
