@@ -29,18 +29,9 @@ int drawLevel(sylph::Rng& rng) {
 }  // namespace
 
 int drawFrom(const float* probabilities, int count, sylph::Rng& rng) {
-  double sum = 0.0;
-  for (int index = 0; index < count; ++index) {
-    sum += static_cast<double>(probabilities[index]);
-  }
-  double left = sylph::drawFraction(rng) * sum;
-  for (int index = 0; index + 1 < count; ++index) {
-    left -= static_cast<double>(probabilities[index]);
-    if (left < 0.0) {
-      return index;
-    }
-  }
-  return count - 1;
+  return static_cast<int>(
+      sylph::drawByWeight(rng, static_cast<std::size_t>(count),
+                          [=](std::size_t index) { return probabilities[index]; }));
 }
 
 EnvironmentBatch::EnvironmentBatch(WorldSource source, const EnvironmentOptions& environment,

@@ -1,6 +1,7 @@
 #include "sylph_training/world_sampler.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "sylph_core/grid/generators.hpp"
@@ -81,14 +82,16 @@ WorldSettings WorldSettings::read(const sylph::YamlMap& yaml) {
 sylph::Instance sampleWorld(const WorldSettings& settings, sylph::Rng& rng) {
   const bool is_usual = sylph::drawFraction(rng) < settings.usual_share;
   const int side = drawWhole(is_usual ? settings.usual_side : settings.side, rng);
-  const double family = sylph::drawFraction(rng) *
-                        (settings.random.weight + settings.room.weight + settings.maze.weight);
+  const std::array<double, 3> weights = {settings.random.weight, settings.room.weight,
+                                         settings.maze.weight};
+  const std::size_t family =
+      sylph::drawByWeight(rng, weights.size(), [&](std::size_t index) { return weights[index]; });
   sylph::Grid grid;
   Interval team_share{};
-  if (family < settings.random.weight) {
+  if (family == 0) {
     grid = sylph::randomMap({side, side, draw(settings.density, rng)}, rng);
     team_share = settings.random.team_share;
-  } else if (family < settings.random.weight + settings.room.weight) {
+  } else if (family == 1) {
     const int room_size = drawWhole(settings.room_size, rng);
     grid = sylph::roomMap({side, side, room_size, 1, draw(settings.door_share, rng)}, rng);
     team_share = settings.room.team_share;

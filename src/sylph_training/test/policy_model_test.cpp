@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include <random>
-
+#include "sylph_core/grid/rng.hpp"
 #include "sylph_core/policy/observation.hpp"
 
 namespace sylph_training {
@@ -18,10 +17,11 @@ void expectSameOutputs(const sylph::NetworkShape& shape, int agents, int threads
   torch::manual_seed(agents);
   PolicyModel model(shape);
   const torch::NoGradGuard no_grad;
-  std::mt19937 rng(static_cast<unsigned>(agents));
+  sylph::Rng rng(static_cast<unsigned>(agents));
   std::vector<std::int64_t> partners;
   for (int agent = 0; agent < agents; ++agent) {
-    partners.push_back(static_cast<std::int64_t>(rng() % static_cast<unsigned>(agents)));
+    partners.push_back(
+        static_cast<std::int64_t>(sylph::drawIndex(rng, static_cast<std::size_t>(agents))));
   }
   PolicyInput input;
   input.views = torch::rand({agents, shape.channels, sylph::kFieldOfView, sylph::kFieldOfView});
