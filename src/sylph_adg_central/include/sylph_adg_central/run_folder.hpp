@@ -23,7 +23,7 @@ class RunFolder {
   std::string path_;
 };
 
-/// ROS_HOME or ~/.ros, then sylph/<stamp>_<experiment>, stamp in local time.
+/// ROS_HOME or ~/.ros, then `sylph/<stamp>_<experiment>`, stamp in local time.
 /// @throws std::runtime_error if neither ROS_HOME nor HOME is set
 std::string defaultRunFolder(const std::string& experiment, std::time_t now);
 

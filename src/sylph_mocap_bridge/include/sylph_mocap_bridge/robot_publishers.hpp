@@ -19,7 +19,7 @@ struct PublishRates {
   double tf_hz = 30.0;
 };
 
-/// Publishes /<robot>/pose, /<robot>/odom and tf map -> <robot>.
+/// Publishes `<robot>/pose`, `<robot>/odom` and tf `map` -> `<robot>`.
 class RobotPublishers {
  public:
   RobotPublishers(ros::NodeHandle& nh, const std::vector<std::string>& robots,
