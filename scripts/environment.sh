@@ -45,5 +45,5 @@ build() {
   mkdir -p devel/lib/python3/dist-packages
   local launcher=()
   if command -v ccache >/dev/null; then launcher=(-DCMAKE_CXX_COMPILER_LAUNCHER=ccache); fi
-  catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3 "${launcher[@]}" "$@"
+  catkin_make -DPYTHON_EXECUTABLE=/usr/bin/python3 -DCMAKE_EXPORT_COMPILE_COMMANDS=ON "${launcher[@]}" "$@"
 }
