@@ -19,8 +19,12 @@ class ByteReader {
  public:
   ByteReader(const std::uint8_t* data, std::size_t size) : data_(data), size_(size) {}
 
+  /// Bytes behind those that were read.
   std::size_t remaining() const { return size_; }
 
+  /// The next field.
+  /// @throws ParseError naming it if the bytes end before it does
+  ///@{
   std::uint8_t readU8(const char* field);
   std::uint16_t readU16(const char* field);
   std::int16_t readI16(const char* field);
@@ -29,6 +33,7 @@ class ByteReader {
   std::uint64_t readU64(const char* field);
   float readFloat(const char* field);
   double readDouble(const char* field);
+  ///@}
 
   /// Up to the next NUL, which is taken too.
   std::string readString(const char* field);
@@ -39,6 +44,7 @@ class ByteReader {
   /// is an error before anything is allocated.
   std::size_t readCount(std::size_t least_item_bytes, const char* field);
 
+  /// Passes over bytes whose meaning is not needed.
   void skip(std::size_t bytes, const char* field);
   /// Bytes behind the last field belong to another layout.
   void requireEnd(const char* message) const;

@@ -12,27 +12,29 @@
 
 namespace sylph_natnet {
 
+/// How to reach a server, and how patiently.
 struct ClientOptions {
   Ipv4Address server{{127, 0, 0, 1}};
   /// Of this computer, where frames arrive; any: that of the route to the server.
   Ipv4Address local_interface = kAnyAddress;
-  std::uint16_t command_port = 1510;
-  std::uint16_t data_port = 1511;  ///< of the group; unicast frames come to the command socket
-  bool multicast = false;
-  Ipv4Address multicast_group{{239, 255, 42, 99}};
+  std::uint16_t command_port = 1510;  ///< of the server
+  std::uint16_t data_port = 1511;     ///< of the group; unicast frames come to the command socket
+  bool multicast = false;             ///< as the server is set
+  Ipv4Address multicast_group{{239, 255, 42, 99}};  ///< as the server is set
   std::optional<Version> bitstream;  ///< read frames as this version, whatever the server tells
-  std::string name = "sylph";
+  std::string name = "sylph";        ///< as the server is told
 
   std::chrono::milliseconds retry_period{500};         ///< of what was not answered
   std::chrono::milliseconds silence{1000};             ///< without frames: connect again
   std::chrono::milliseconds keep_alive_period{1000};   ///< unicast servers drop silent clients
   std::chrono::milliseconds definitions_period{5000};  ///< names are asked for again
-  std::chrono::milliseconds echo_period{1000};
+  std::chrono::milliseconds echo_period{1000};         ///< the server's clock is compared so often
 };
 
+/// A frame and when it came.
 struct ReceivedFrame {
   Frame frame;
-  std::chrono::steady_clock::time_point received;
+  std::chrono::steady_clock::time_point received;  ///< when its datagram was taken
 };
 
 /// Counters since the start.
@@ -78,6 +80,7 @@ class Client {
   std::uint64_t session() const { return session_; }
   /// The server's clock against std::chrono::steady_clock; nothing before 3.0.
   std::optional<ClockEstimate> clock() const;
+  /// Counters since the start.
   const ClientStatistics& statistics() const { return statistics_; }
 
  private:

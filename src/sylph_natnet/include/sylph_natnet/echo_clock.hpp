@@ -7,9 +7,9 @@ namespace sylph_natnet {
 
 /// One echo. Local times are of one steady clock, the server's of its ticks [s].
 struct EchoSample {
-  double sent_s = 0;
-  double server_s = 0;
-  double received_s = 0;
+  double sent_s = 0;      ///< request, local time
+  double server_s = 0;    ///< answer, time of the server
+  double received_s = 0;  ///< answer, local time
 };
 
 /// How far the local clock is ahead of the server's.
@@ -23,13 +23,14 @@ struct ClockEstimate {
 /// now counts, where age costs as much as clocks may drift apart.
 class EchoClock {
  public:
-  static constexpr std::size_t kSamples = 64;
+  static constexpr std::size_t kSamples = 64;  ///< Echoes that are remembered
   /// Quartz clocks of two computers: up to 50 ppm apart.
   static constexpr double kDriftPerS = 50e-6;
 
   /// An echo that contradicts the others shows that the server's clock was set or restarted: it
   /// begins a new history. One whose answer precedes its request is ignored.
   void add(const EchoSample& sample);
+  /// Forgets all echoes, as after a change of servers.
   void reset() { samples_.clear(); }
 
   /// @param now_s  local time

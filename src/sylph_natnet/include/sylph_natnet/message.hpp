@@ -11,6 +11,7 @@
 /// NatNet's datagrams: u16 id, u16 payload bytes, payload; little endian, packed.
 namespace sylph_natnet {
 
+/// First field of each datagram, by the names of OptiTrack's SDK.
 enum class MessageId : std::uint16_t {
   Connect = 0,
   ServerInfo = 1,
@@ -30,12 +31,12 @@ enum class MessageId : std::uint16_t {
   UnrecognizedRequest = 100,
 };
 
-using Datagram = std::vector<std::uint8_t>;
+using Datagram = std::vector<std::uint8_t>;  ///< A whole datagram, header and payload
 
 /// A datagram taken apart; `payload` looks into it.
 struct Message {
-  MessageId id;
-  ByteReader payload;
+  MessageId id;        ///< may be one that this enum does not have
+  ByteReader payload;  ///< what stands behind the header
 };
 
 /// The payload is what was received: its length in the header may be wrong or too small a number.
@@ -58,17 +59,23 @@ Datagram makeConnect(const std::string& client_name, const Version& version);
 Datagram makeModelDefinitionsRequest(bool with_type_mask);
 /// @param command  "FrameRate", "Bitstream,4.1", ...
 Datagram makeRequest(const std::string& command);
+/// @param client_stamp  comes back in the answer.
 Datagram makeEchoRequest(std::uint64_t client_stamp);
 
 // What a server sends.
 
+/// Answer to a connect.
 Datagram makeServerInfo(const ServerInfo& info);
+/// Answer to an echo request.
 Datagram makeEchoResponse(const EchoResponse& echo);
 
 // Reading of payloads. All throw ParseError.
 
+/// Of the answer to a connect, by the version that stands in it.
 ServerInfo parseServerInfo(ByteReader payload);
+/// Of the answer to an echo request.
 EchoResponse parseEchoResponse(ByteReader payload);
+/// @return the client's stamp.
 std::uint64_t parseEchoRequest(ByteReader payload);
 
 }  // namespace sylph_natnet

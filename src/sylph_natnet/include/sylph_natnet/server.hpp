@@ -11,17 +11,18 @@
 
 namespace sylph_natnet {
 
+/// What a server is called, where it serves and what it tells of itself.
 struct ServerOptions {
   Ipv4Address address{{127, 0, 0, 1}};  ///< of the interface that it serves
   std::uint16_t command_port = 1510;    ///< 0: any free one
   std::uint16_t data_port = 1511;       ///< frames leave from it, to the same of the group; 0: any
-  bool multicast = false;
-  Ipv4Address multicast_group{{239, 255, 42, 99}};
-  std::string name = "sylph";
-  Version version{4, 1};
-  std::uint64_t ticks_per_s = 10'000'000;
-  float frame_rate_hz = 120.0F;
-  std::chrono::milliseconds client_timeout{5000};  ///< of a unicast client that keeps silent
+  bool multicast = false;               ///< frames to the group; false: to each client
+  Ipv4Address multicast_group{{239, 255, 42, 99}};  ///< 224.0.0.0 ... 239.255.255.255
+  std::string name = "sylph";                       ///< as clients are told
+  Version version{4, 1};                            ///< of the bitstream
+  std::uint64_t ticks_per_s = 10'000'000;           ///< of its clock
+  float frame_rate_hz = 120.0F;                     ///< as clients are told
+  std::chrono::milliseconds client_timeout{5000};   ///< of a unicast client that keeps silent
 };
 
 /// A NatNet server as Motive is one: answers connect, keep-alive, echo, requests for model
@@ -33,7 +34,9 @@ class Server {
   /// @throws std::runtime_error if a port is taken or the group cannot be reached
   explicit Server(const ServerOptions& options);
 
+  /// The port in use, also if any free one was asked for.
   std::uint16_t commandPort() const { return command_socket_.localEndpoint().port; }
+  /// As commandPort().
   std::uint16_t dataPort() const { return data_socket_.localEndpoint().port; }
   const ServerOptions& options() const { return options_; }
 

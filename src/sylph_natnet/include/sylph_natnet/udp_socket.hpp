@@ -13,11 +13,12 @@ namespace sylph_natnet {
 
 /// The four numbers of an IPv4 address; 0.0.0.0 is any.
 using Ipv4Address = std::array<std::uint8_t, 4>;
-constexpr Ipv4Address kAnyAddress{};
+constexpr Ipv4Address kAnyAddress{};  ///< 0.0.0.0: whatever interface
 
+/// One end of a link.
 struct Endpoint {
   Ipv4Address address{};
-  std::uint16_t port = 0;
+  std::uint16_t port = 0;  ///< host byte order; 0: any
 };
 bool operator==(const Endpoint& a, const Endpoint& b);
 
@@ -58,7 +59,9 @@ class UdpSocket {
   /// @return its sender, or nothing if none waits
   std::optional<Endpoint> receive(Datagram& datagram);
 
+  /// Where it receives, the port as the system chose it.
   Endpoint localEndpoint() const;
+  /// For select() and its like; stays the socket's.
   int descriptor() const { return descriptor_; }
 
  private:
