@@ -18,6 +18,7 @@ class BodyNames {
   /// @param rigid_bodies  name of the rigid body of each robot
   explicit BodyNames(std::vector<std::string> rigid_bodies);
 
+  /// Takes what the server tells anew; forgets what it told before.
   void update(const sylph_natnet::ModelDefinitions& definitions);
 
   /// @return index of the robot whose rigid body has this id; nothing if it is none of ours

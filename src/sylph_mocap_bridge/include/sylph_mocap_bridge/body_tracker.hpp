@@ -15,6 +15,7 @@ struct Velocity {
   double angular_variance = 0.0;  ///< [(rad/s)^2]
 };
 
+/// How noisy poses are and how robots move.
 struct TrackerOptions {
   double position_sigma_m = 0.0003;        ///< noise of a measured position, > 0
   double heading_sigma_rad = 0.003;        ///< noise of a measured heading, > 0
@@ -29,12 +30,14 @@ struct TrackerOptions {
 /// (Bar-Shalom, Li, Kirubarajan 2001, section 6.3.2).
 class RateFilter {
  public:
+  /// Begins anew at a value whose rate is not known.
   void start(double value, double measurement_variance);
   /// @param dt_s  since the last value, > 0
   void update(double value, double dt_s, double measurement_variance, double acceleration_variance);
 
   double value() const { return value_; }
   double rate() const { return rate_; }
+  /// Of rate(), by the filter.
   double rateVariance() const { return rate_variance_; }
 
  private:
@@ -54,6 +57,7 @@ class BodyTracker {
   /// @param time_s  of the exposure; one that is not later than the last begins anew
   /// @return nothing until it has seen enough after a start, a gap or a jump
   std::optional<Velocity> update(const Pose& map_from_robot, double time_s);
+  /// Begins anew with the next pose.
   void reset() { samples_ = 0; }
 
  private:

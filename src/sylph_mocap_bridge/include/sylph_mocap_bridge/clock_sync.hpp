@@ -8,6 +8,7 @@
 
 namespace sylph_mocap_bridge {
 
+/// How the offset between two clocks is found and followed.
 struct ClockSyncOptions {
   /// Which of the last offsets counts, 0 ... 1. 0, the least: delays only ever add, as on real
   /// computers. 0.5, the median: the local clock itself moves in steps, as in simulation.
@@ -37,6 +38,7 @@ class ClockSync {
   /// Offset in use. @return nothing until enough is known
   std::optional<sylph_natnet::ClockEstimate> estimate() const;
 
+  /// Forgets all, as after a change of one of the clocks.
   void reset();
 
  private:

@@ -10,6 +10,7 @@
 
 namespace sylph_mocap_bridge {
 
+/// Position and orientation as they are.
 geometry_msgs::Pose toMessage(const Pose& pose);
 
 /// In the frame `map`, stamped at the exposure.

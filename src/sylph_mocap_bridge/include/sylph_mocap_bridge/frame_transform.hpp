@@ -18,6 +18,7 @@ enum class UpAxis { Y, Z };
 /// heading lie in its rigid body.
 class FrameTransform {
  public:
+  /// @param map_from_mocap  where the cameras' origin lies on the map.
   FrameTransform(UpAxis up_axis, const sylph::Pose2d& map_from_mocap);
 
   /// @param position_m        in the cameras' axes

@@ -19,6 +19,7 @@ inline Pose operator*(const Pose& a_from_b, const Pose& b_from_c) {
           (a_from_b.orientation * b_from_c.orientation).normalized()};
 }
 
+/// On the floor, upright.
 inline Pose toPose(const sylph::Pose2d& planar) {
   return {{planar.x_m, planar.y_m, 0.0},
           Eigen::Quaterniond(Eigen::AngleAxisd(planar.yaw_rad, Eigen::Vector3d::UnitZ()))};

@@ -11,9 +11,10 @@ namespace sylph_mocap_bridge {
 
 /// What is known of the way from the cameras to the robots' poses.
 struct LinkStatus {
-  sylph_natnet::ClientOptions client;
+  sylph_natnet::ClientOptions client;                      ///< as it was told to connect
   std::optional<sylph_natnet::Ipv4Address> local_address;  ///< from which the server is reached
-  std::optional<sylph_natnet::ServerInfo> server;
+  std::optional<sylph_natnet::ServerInfo> server;          ///< nothing while it has not answered
+  /// Of the bitstream; nothing while it is not known.
   std::optional<sylph_natnet::Version> version;
   sylph_natnet::ClientStatistics statistics;  ///< since the start
   std::uint64_t new_frames = 0;               ///< since the last look
@@ -27,8 +28,9 @@ struct LinkStatus {
   std::vector<std::string> offered;           ///< all bodies that it has
 };
 
-enum class Severity { Ok, Warning, Error };
+enum class Severity { Ok, Warning, Error };  ///< Of a finding, as in diagnostics
 
+/// One thing that is wrong, or that nothing is.
 struct Finding {
   Severity severity = Severity::Ok;
   std::string text;  ///< what is wrong and what to do about it, one line

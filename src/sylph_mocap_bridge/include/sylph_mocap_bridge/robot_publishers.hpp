@@ -14,14 +14,15 @@ namespace sylph_mocap_bridge {
 
 /// How often each kind of message goes out, by the poses' stamps [Hz]; 0: each frame.
 struct PublishRates {
-  double pose_hz = 0.0;
-  double odom_hz = 60.0;
-  double tf_hz = 30.0;
+  double pose_hz = 0.0;   ///< `<robot>/pose`
+  double odom_hz = 60.0;  ///< `<robot>/odom`
+  double tf_hz = 30.0;    ///< `/tf`
 };
 
 /// Publishes `<robot>/pose`, `<robot>/odom` and tf `map` -> `<robot>`.
 class RobotPublishers {
  public:
+  /// @param noise  sigmas of the measured pose, for covariances.
   RobotPublishers(ros::NodeHandle& nh, const std::vector<std::string>& robots,
                   const PublishRates& rates, const TrackerOptions& noise);
 

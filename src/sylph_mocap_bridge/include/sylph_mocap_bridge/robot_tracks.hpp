@@ -11,37 +11,38 @@
 
 namespace sylph_mocap_bridge {
 
+/// Axes, calibration, and what makes a pose one to rely on.
 struct TracksOptions {
-  UpAxis up_axis = UpAxis::Z;
+  UpAxis up_axis = UpAxis::Z;                  ///< of the cameras
   sylph::Pose2d map_from_mocap;                ///< where the cameras' origin lies on the map
   std::vector<sylph::Pose2d> body_from_robot;  ///< of each robot
   double largest_age_s = 0.5;                  ///< an older pose is stale, > 0
   /// A pose that keeps each of its bits for longer is frozen: cameras have noise, >= 0, 0: never.
   double frozen_limit_s = 0.1;
-  TrackerOptions tracker;
+  TrackerOptions tracker;  ///< for velocities
 };
 
 /// A pose as it came from the cameras.
 struct Measurement {
-  std::size_t robot = 0;
-  bool tracked = true;
-  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();
-  Eigen::Vector4d orientation_xyzw{0.0, 0.0, 0.0, 1.0};
-  double time_s = 0.0;   ///< of the exposure, by the cameras' clock
-  double stamp_s = 0.0;  ///< of the exposure, by the local clock
+  std::size_t robot = 0;                                 ///< index in the experiment
+  bool tracked = true;                                   ///< the cameras saw it in this frame
+  Eigen::Vector3d position_m = Eigen::Vector3d::Zero();  ///< in the cameras' axes
+  Eigen::Vector4d orientation_xyzw{0.0, 0.0, 0.0, 1.0};  ///< in the cameras' axes
+  double time_s = 0.0;                                   ///< of the exposure, by the cameras' clock
+  double stamp_s = 0.0;                                  ///< of the exposure, by the local clock
 };
 
 /// A pose to rely on.
 struct RobotState {
   std::size_t robot = 0;
   double stamp_s = 0.0;
-  Pose map_from_robot;
-  std::optional<Velocity> velocity;
+  Pose map_from_robot;               ///< rotation and position in `map`
+  std::optional<Velocity> velocity;  ///< nothing until enough poses have come
 };
 
 /// What became of a robot's measurements since the start.
 struct TrackCounts {
-  std::uint64_t good = 0;
+  std::uint64_t good = 0;       ///< passed on
   std::uint64_t untracked = 0;  ///< not seen by the cameras
   std::uint64_t malformed = 0;  ///< not finite, or no rotation
   std::uint64_t stale = 0;      ///< too old
@@ -69,6 +70,7 @@ class RobotTracks {
   /// The clocks began anew: earlier stamps and velocities mean nothing.
   void reset();
 
+  /// One a robot.
   const std::vector<TrackCounts>& counts() const { return counts_; }
 
  private:
