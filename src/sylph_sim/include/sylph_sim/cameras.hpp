@@ -27,10 +27,11 @@ void requireValid(const CameraOptions& options);
 
 /// One body as the cameras see it, in the map frame.
 struct CapturedBody {
-  sylph::Pose2d pose;
-  bool is_tracked = true;
+  sylph::Pose2d pose;      ///< noise and mounting error included
+  bool is_tracked = true;  ///< false: not seen in this frame
 };
 
+/// All bodies at one instant.
 struct CapturedFrame {
   std::int32_t number = 0;           ///< counts up; a gap tells of a frame that was lost
   double captured_s = 0.0;           ///< simulated time of the exposure [s]

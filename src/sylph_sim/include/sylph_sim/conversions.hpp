@@ -40,6 +40,7 @@ sylph_natnet::Frame toNatNet(const CapturedFrame& frame, double start_s, UpAxis 
 /// Names of the rigid bodies, one a robot.
 sylph_natnet::ModelDefinitions modelDefinitions(const sylph::Experiment& experiment);
 
+/// The same pose.
 geometry_msgs::Pose2D toMessage(const sylph::Pose2d& pose);
 
 /// @throws std::runtime_error or std::invalid_argument naming the kind or robot that is unknown

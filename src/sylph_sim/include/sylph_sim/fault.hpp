@@ -36,31 +36,32 @@ struct Fault {
 
 /// @throws std::invalid_argument if the name is none; it lists those that are
 FaultKind faultKindFromName(const std::string& name);
+/// As in a fault script.
 std::string toName(FaultKind kind);
 /// What `value` is where a script gives none.
 double defaultValue(FaultKind kind);
 
 /// What is wrong with how the cameras see one robot at one moment.
 struct CaptureFault {
-  bool is_lost = false;
-  bool is_nan = false;
-  bool is_frozen = false;
-  double yaw_offset_rad = 0.0;
-  double x_offset_m = 0.0;
+  bool is_lost = false;         ///< not tracked
+  bool is_nan = false;          ///< tracked, and not a number
+  bool is_frozen = false;       ///< stays as it was
+  double yaw_offset_rad = 0.0;  ///< its pose is turned by this
+  double x_offset_m = 0.0;      ///< and moved along map x by this
   std::size_t shown_robot = 0;  ///< whose pose its body shows: itself unless swapped
 };
 
 /// Everything that is wrong with one robot at one moment.
 struct RobotFault {
-  BaseFault base;
-  bool is_deaf = false;
-  CaptureFault capture;
+  BaseFault base;        ///< of its drive
+  bool is_deaf = false;  ///< gets no command
+  CaptureFault capture;  ///< of what the cameras see of it
 };
 
 /// Everything that is wrong at one moment.
 struct FaultState {
-  std::vector<RobotFault> robots;
-  bool is_silent = false;
+  std::vector<RobotFault> robots;  ///< one a robot
+  bool is_silent = false;          ///< no frame leaves the cameras
 };
 
 /// Faults over time.

@@ -53,6 +53,7 @@ class MecanumBase {
   /// Moves on from `time_s` by `duration_s` > 0.
   void step(double time_s, double duration_s, const BaseFault& fault = {});
 
+  /// True pose in `map`.
   const sylph::Pose2d& pose() const { return pose_; }
   /// True velocity in the robot's frame during the last step.
   const sylph::Twist2d& twist() const { return twist_robot_; }

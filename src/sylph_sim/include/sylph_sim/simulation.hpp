@@ -55,9 +55,11 @@ class Simulation {
   /// True poses in the map, one a robot.
   const std::vector<sylph::Pose2d>& poses() const { return poses_; }
   double minSeparation() const { return contacts_.minSeparation(); }  ///< see ContactMonitor
+  /// How often two footprints began to touch.
   std::uint32_t collisions() const { return contacts_.collisions(); }
   /// How often a robot's centre left the free cells.
   std::uint32_t obstacleEntries() const { return obstacle_entries_; }
+  /// Faults in effect now.
   std::size_t activeFaults() const { return script_.activeCount(time_s_); }
 
  private:

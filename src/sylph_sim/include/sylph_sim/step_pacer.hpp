@@ -24,6 +24,7 @@ class StepPacer {
 
   /// Simulated seconds a wall second, over the last full second of the wall; the target at first.
   double speed() const { return speed_; }
+  /// Simulated seconds per second that it aims at.
   double targetSpeed() const { return target_speed_; }
 
  private:
