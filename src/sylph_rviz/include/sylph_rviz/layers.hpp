@@ -46,7 +46,8 @@ constexpr int kGaugeMarkers = 3;
 
 /// One layer: its topic, below the suite's namespace, and what draws it.
 struct Layer {
-  const char* topic;
+  const char* topic;  ///< relative
+  /// The whole layer, anew each time.
   Markers (*draw)(const Scene&);
 };
 
@@ -63,6 +64,8 @@ constexpr std::array<Layer, 8> kLayers = {{{"markers/robots", robotMarkers},
 
 /// Heights that order what overlaps [m].
 namespace height {
+/// Of the sign that the name says, from the floor up.
+///@{
 constexpr double kPath = 0.02;
 constexpr double kGoal = 0.03;
 constexpr double kGauge = 0.04;
@@ -71,6 +74,7 @@ constexpr double kWait = 0.08;
 constexpr double kPartner = 0.10;
 constexpr double kBadge = 0.12;
 constexpr double kText = 0.20;
+///@}
 }  // namespace height
 
 }  // namespace sylph_rviz

@@ -8,7 +8,9 @@
 /// people with any kind of colour vision tell apart; no meaning hangs on red against green.
 namespace sylph_rviz {
 
+/// @param red, green, blue  0 ... 255.
 std_msgs::ColorRGBA makeColor(int red, int green, int blue, double alpha = 1.0);
+/// @param alpha  0 ... 1, invisible ... opaque.
 std_msgs::ColorRGBA withAlpha(std_msgs::ColorRGBA color, double alpha);
 
 /// Colour of the index-th robot, of its goal and of its path. Eight colours, then they repeat.
@@ -21,6 +23,8 @@ std_msgs::ColorRGBA textColorOn(const std_msgs::ColorRGBA& background);
 /// Angles outside are clamped.
 std_msgs::ColorRGBA svoColor(double svo_deg);
 
+/// Colours by name, opaque.
+///@{
 std_msgs::ColorRGBA white();
 std_msgs::ColorRGBA grey();
 std_msgs::ColorRGBA black();
@@ -29,5 +33,6 @@ std_msgs::ColorRGBA skyBlue();
 std_msgs::ColorRGBA bluishGreen();
 std_msgs::ColorRGBA yellow();
 std_msgs::ColorRGBA vermillion();
+///@}
 
 }  // namespace sylph_rviz

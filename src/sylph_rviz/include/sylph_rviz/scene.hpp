@@ -20,24 +20,24 @@ struct RobotView {
   double length_m = 0.23;             ///< footprint along the robot's x axis
   double width_m = 0.20;              ///< footprint along the robot's y axis
   std::optional<sylph::Pose2d> pose;  ///< last measured pose in `map`; nothing before the first
-  bool pose_is_stale = false;
-  std::optional<sylph::Cell> goal;
+  bool pose_is_stale = false;         ///< drawn faint
+  std::optional<sylph::Cell> goal;    ///< where its plan ends
   std::optional<sylph_msgs::RobotExecution> execution;  ///< nothing before the first AdgState
 };
 
 /// What the map's extent tells the layers.
 struct MapExtent {
-  int rows = 0;
-  int cols = 0;
-  double cell_size_m = 0.3;
+  int rows = 0;              ///< cells along y
+  int cols = 0;              ///< cells along x
+  double cell_size_m = 0.3;  ///< side of a cell
 };
 
 /// Everything that the layers are drawn from.
 struct Scene {
-  std::optional<MapExtent> map;
-  std::vector<RobotView> robots;  ///< the index gives the colour
-  std::optional<sylph_msgs::AdgState> state;
-  std::optional<sylph_msgs::SeparationState> separation;
+  std::optional<MapExtent> map;                           ///< nothing before the first map
+  std::vector<RobotView> robots;                          ///< the index gives the colour
+  std::optional<sylph_msgs::AdgState> state;              ///< the last one
+  std::optional<sylph_msgs::SeparationState> separation;  ///< the last one
 };
 
 /// Centre of a cell, or nothing before the map is known.
@@ -59,6 +59,7 @@ enum class RobotStatus {
   Fault      ///< silent, stuck, blind or lost
 };
 
+/// A fault counts before the mode of execution, that before its task.
 RobotStatus statusOf(const sylph_msgs::AdgState& state, const sylph_msgs::RobotExecution& robot);
 
 /// The word for a fault that AdgState gives ("SILENT", ...), empty if there is none.

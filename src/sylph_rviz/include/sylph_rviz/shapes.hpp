@@ -14,12 +14,12 @@
 namespace sylph_rviz {
 
 using visualization_msgs::Marker;
-using Markers = std::vector<Marker>;
+using Markers = std::vector<Marker>;  ///< What a layer sends at once
 
 /// Which of a layer's markers one is. RViz keeps a marker as long as its namespace and id stay.
 struct MarkerId {
-  std::string ns;
-  int id = 0;
+  std::string ns;  ///< the kind of sign, within its layer
+  int id = 0;      ///< counts the signs of a kind
 };
 
 /// A marker in the frame `map` with stamp 0, so that it is drawn at the latest transform.
@@ -34,8 +34,10 @@ Marker lineList(const MarkerId& id, const std::vector<sylph::Point>& points, dou
 /// Filled triangles, three points each, in either orientation.
 Marker triangles(const MarkerId& id, std::vector<sylph::Point> corners, double height_m,
                  const std_msgs::ColorRGBA& color);
+/// A filled circle.
 Marker disc(const MarkerId& id, const sylph::Point& center, double radius_m, double height_m,
             const std_msgs::ColorRGBA& color);
+/// The outline of a circle.
 Marker ring(const MarkerId& id, const sylph::Point& center, double radius_m, double height_m,
             double line_width_m, const std_msgs::ColorRGBA& color);
 /// A flat box, `length_m` along x.
