@@ -3,28 +3,30 @@
 #include <limits>
 
 #include "sylph_ros/parameters.hpp"
+#include "sylph_ros/topics.hpp"
 
 namespace sylph_ros {
 
-sylph::Experiment loadExperiment(const ros::NodeHandle& private_nh) {
+sylph::Experiment loadExperiment(const ros::NodeHandle& suite_nh, const std::string& own_path) {
   sylph::ExperimentOverrides overrides;
   int seed = -1;
-  read(private_nh, "seed", seed);
-  requireInRange(private_nh, "seed", seed, -1, std::numeric_limits<int>::max());
+  read(suite_nh, kSeedParameter, seed);
+  requireInRange(suite_nh, kSeedParameter, seed, -1, std::numeric_limits<int>::max());
   if (seed >= 0) {
     overrides.seed = static_cast<std::uint32_t>(seed);
   }
   std::string planner;
-  read(private_nh, "planner", planner);
+  read(suite_nh, kPlannerParameter, planner);
   if (!planner.empty()) {
     overrides.planner = planner;
   }
   std::string weights;
-  read(private_nh, "weights", weights);
+  read(suite_nh, kWeightsParameter, weights);
   if (!weights.empty()) {
     overrides.weights_path = weights;
   }
-  return sylph::loadExperiment(readRequiredString(private_nh, "experiment"), overrides);
+  return sylph::loadExperiment(
+      own_path.empty() ? readRequiredString(suite_nh, kExperimentParameter) : own_path, overrides);
 }
 
 }  // namespace sylph_ros

@@ -15,10 +15,10 @@ SteadyClock::SteadyClock(double speed) : speed_(speed) {
   }
 }
 
-SteadyClock SteadyClock::fromParameter(const ros::NodeHandle& nh) {
+SteadyClock SteadyClock::fromParameter(const ros::NodeHandle& suite_nh) {
   double speed = 1.0;
-  read(nh, kSpeedParameter, speed);
-  requirePositive(nh, kSpeedParameter, speed);
+  read(suite_nh, kSpeedParameter, speed);
+  requirePositive(suite_nh, kSpeedParameter, speed);
   return SteadyClock(speed);
 }
 

@@ -2,13 +2,17 @@
 
 #include <ros/node_handle.h>
 
+#include <string>
+
 #include "sylph_core/experiment/experiment.hpp"
 
 namespace sylph_ros {
 
-/// The experiment that this node runs: private parameters `experiment` (path, required), `seed`
-/// (int, -1: the file's) and `planner` (empty: the file's).
+/// The experiment that a fleet runs, by the parameters `experiment`, `seed`, `planner` and
+/// `weights` of the suite's namespace.
+/// @param suite_nh  in the suite's namespace
+/// @param own_path  of a copy of the experiment on this computer, takes the place of the parameter
 /// @throws std::runtime_error as sylph::loadExperiment() or on a bad parameter
-sylph::Experiment loadExperiment(const ros::NodeHandle& private_nh);
+sylph::Experiment loadExperiment(const ros::NodeHandle& suite_nh, const std::string& own_path = "");
 
 }  // namespace sylph_ros

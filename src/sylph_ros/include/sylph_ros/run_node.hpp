@@ -10,12 +10,15 @@
 
 namespace sylph_ros {
 
-/// The whole of a node's main(): starts ROS, builds the node, spins, and turns a bad start into one
-/// line and a failing exit status.
+/// ros::init() with the clock and the transforms of the node's fleet: what ROS calls `/clock`,
+/// `/use_sim_time`, `/tf` and `/tf_static` is below the fleet's namespace, unless it is remapped
+/// already. So fleets on one master have each its own time and its own frames.
+void initNode(int argc, char** argv, const std::string& name);
+
+/// Builds the node, spins, and turns a bad start into one line and a failing exit status.
 /// @tparam Node  constructible from (ros::NodeHandle nh, ros::NodeHandle private_nh)
 template <typename Node>
-int runNode(int argc, char** argv, const std::string& name) {
-  ros::init(argc, argv, name);
+int spinNode() {
   // The last handle that goes shuts ROS down, and then nothing is printed any more.
   const ros::NodeHandle nh;
   try {
@@ -26,6 +29,13 @@ int runNode(int argc, char** argv, const std::string& name) {
     return EXIT_FAILURE;
   }
   return EXIT_SUCCESS;
+}
+
+/// The whole of a node's main().
+template <typename Node>
+int runNode(int argc, char** argv, const std::string& name) {
+  initNode(argc, argv, name);
+  return spinNode<Node>();
 }
 
 }  // namespace sylph_ros

@@ -13,9 +13,10 @@ class SteadyClock {
   /// @param speed  simulated seconds per second, > 0; 1 on real robots
   explicit SteadyClock(double speed = 1.0);
 
-  /// From the parameter kSpeedParameter.
+  /// From the parameter kSpeedParameter; without it, as on real robots, 1.
+  /// @param suite_nh  in the suite's namespace
   /// @throws std::runtime_error if it is not a positive number
-  static SteadyClock fromParameter(const ros::NodeHandle& nh);
+  static SteadyClock fromParameter(const ros::NodeHandle& suite_nh);
 
   /// Seconds since some fixed moment, in simulated seconds.
   double now() const { return ros::SteadyTime::now().toSec() * speed_; }
