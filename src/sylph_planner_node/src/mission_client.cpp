@@ -42,15 +42,14 @@ ClientOptions loadClientOptions(const ros::NodeHandle& private_nh) {
   sylph_ros::requirePositive(private_nh, "progress_period_s", options.progress_period_s);
   sylph_ros::requirePositive(private_nh, "report_wait_s", options.report_wait_s);
   sylph_ros::requireKnown(
-      private_nh, {"experiment", "seed", "planner", "weights", "run_folder", "exit_when_done",
-                   "start_timeout_s", "progress_period_s", "report_wait_s"});
+      private_nh, {"exit_when_done", "start_timeout_s", "progress_period_s", "report_wait_s"});
   return options;
 }
 
 MissionClient::MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
       options_(loadClientOptions(private_nh)),
-      experiment_(sylph_ros::loadExperiment(private_nh)),
+      experiment_(sylph_ros::loadExperiment(nh)),
       client_(nh_, sylph_ros::kExecuteMissionAction, false) {
   // The planner refuses such weights too, but nobody would hear of it before the time-out.
   sylph::loadPolicyFor(experiment_.planning.planner, experiment_.planning.weights_path);
@@ -91,7 +90,7 @@ void MissionClient::waitForServer(Clock::time_point deadline) {
 
 void MissionClient::waitForPoses(Clock::time_point deadline) {
   for (const sylph::RobotSpec& robot : experiment_.robots) {
-    const std::string topic = "/" + robot.name + "/" + sylph_ros::kPoseTopic;
+    const std::string topic = sylph_ros::robotTopic(nh_, robot.name, sylph_ros::kPoseTopic);
     const auto has_come = std::make_shared<std::atomic<bool>>(false);
     const boost::function<void(const geometry_msgs::PoseStampedConstPtr&)> note =
         [has_come](const geometry_msgs::PoseStampedConstPtr&) { *has_come = true; };
@@ -147,7 +146,8 @@ void MissionClient::printRunReport() {
   std::string folder;
   nh_.getParam(sylph_ros::kRunFolderParameter, folder);
   if (folder.empty()) {
-    say(std::string("no run folder: parameter ") + sylph_ros::kRunFolderParameter + " is not set");
+    say("no run folder: parameter " + nh_.resolveName(sylph_ros::kRunFolderParameter) +
+        " is not set");
     return;
   }
   const std::filesystem::path path = std::filesystem::path(folder) / kReportFile;

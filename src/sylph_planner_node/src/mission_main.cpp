@@ -4,9 +4,10 @@
 #include <exception>
 
 #include "sylph_planner_node/mission_client.hpp"
+#include "sylph_ros/run_node.hpp"
 
 int main(int argc, char** argv) {
-  ros::init(argc, argv, "sylph_mission");
+  sylph_ros::initNode(argc, argv, "sylph_mission");
   try {
     sylph_planner_node::MissionClient client(ros::NodeHandle(), ros::NodeHandle("~"));
     ros::AsyncSpinner spinner(1);

@@ -32,13 +32,14 @@ std::vector<std::string> namesOf(const sylph::Experiment& lab) {
 PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : nh_(nh),
       options_(loadOptions(private_nh)),
-      lab_(sylph_ros::loadExperiment(private_nh)),
+      lab_(sylph_ros::loadExperiment(nh)),
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       poses_(nh, clock_),
       mode_(nh),
       joint_action_publisher_(
           nh_.advertise<sylph_msgs::JointAction>(sylph_ros::kJointActionsTopic, 1000)),
-      map_publisher_(nh_.advertise<nav_msgs::OccupancyGrid>(sylph_ros::kMapTopic, 1, true)),
+      map_publisher_(nh_.advertise<nav_msgs::OccupancyGrid>(
+          sylph_ros::fleetName(nh_, sylph_ros::kMapTopic), 1, true)),
       adg_state_subscriber_(nh_.subscribe(sylph_ros::kAdgStateTopic, 10, &PlannerNode::onAdgState,
                                           this, ros::TransportHints().tcpNoDelay())),
       server_(nh_, sylph_ros::kExecuteMissionAction, false),

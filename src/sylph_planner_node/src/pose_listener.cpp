@@ -13,7 +13,7 @@ void PoseListener::start(const std::vector<std::string>& robots) {
           poses_[robot] = {pose, clock_.now()};
         };
     subscribers_.push_back(nh_.subscribe<geometry_msgs::PoseStamped>(
-        "/" + robot + "/" + sylph_ros::kPoseTopic, 1, store, ros::VoidConstPtr(),
+        sylph_ros::robotTopic(nh_, robot, sylph_ros::kPoseTopic), 1, store, ros::VoidConstPtr(),
         ros::TransportHints().tcpNoDelay()));
   }
 }

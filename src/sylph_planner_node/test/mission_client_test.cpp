@@ -47,7 +47,7 @@ class MissionClientTest : public PlannerFixture {
     ASSERT_NE(nullptr, mkdtemp(folder.data()));
     folder_ = folder;
     std::ofstream(folder_ / "result.yaml") << "arrived: 3\n";
-    ros::param::set(sylph_ros::kRunFolderParameter, folder_.string());
+    ros::NodeHandle("/sylph").setParam(sylph_ros::kRunFolderParameter, folder_.string());
   }
 
   void TearDown() override { std::filesystem::remove_all(folder_); }

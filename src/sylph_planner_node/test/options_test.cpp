@@ -48,7 +48,7 @@ TEST(OptionsTest, RefuseWhatIsForbiddenMistypedOrUnknown) {
 
 TEST(OptionsTest, ANodeWithoutExperimentExitsWithFailure) {
   for (const std::string executable : {SYLPH_PLANNER_EXECUTABLE, SYLPH_MISSION_EXECUTABLE}) {
-    const std::string command = executable + " __name:=bad _experiment:=/nowhere.yaml";
+    const std::string command = executable + " __ns:=/without/experiment";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status)) << command;
     EXPECT_EQ(EXIT_FAILURE, WEXITSTATUS(status)) << command;
@@ -56,11 +56,12 @@ TEST(OptionsTest, ANodeWithoutExperimentExitsWithFailure) {
 }
 
 TEST(OptionsTest, ANodeWhoseWeightsCannotBeReadExitsWithFailure) {
-  const std::string weights = SYLPH_TEST_DATA "/small.map";
+  const ros::NodeHandle suite("/with/bad_weights");
+  suite.setParam("experiment", SYLPH_TEST_DATA "/small_lab.yaml");
+  suite.setParam("planner", "sylph_lacam");
+  suite.setParam("weights", SYLPH_TEST_DATA "/small.map");
   for (const std::string executable : {SYLPH_PLANNER_EXECUTABLE, SYLPH_MISSION_EXECUTABLE}) {
-    const std::string command = executable +
-                                " __name:=bad _planner:=sylph_lacam _weights:=" + weights +
-                                " _experiment:=" + SYLPH_TEST_DATA "/small_lab.yaml";
+    const std::string command = executable + " __ns:=/with/bad_weights";
     const int status = std::system(command.c_str());
     ASSERT_TRUE(WIFEXITED(status)) << command;
     EXPECT_EQ(EXIT_FAILURE, WEXITSTATUS(status)) << command;

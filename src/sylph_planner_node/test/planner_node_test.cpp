@@ -22,8 +22,7 @@ using sylph_msgs::ExecuteMissionResult;
 class PlannerNodeTest : public PlannerFixture {};
 
 TEST_F(PlannerNodeTest, PublishesTheMapForThoseWhoComeLate) {
-  const auto map = ros::topic::waitForMessage<nav_msgs::OccupancyGrid>(sylph_ros::kMapTopic,
-                                                                       ros::Duration(20.0));
+  const auto map = ros::topic::waitForMessage<nav_msgs::OccupancyGrid>("/map", ros::Duration(20.0));
   ASSERT_TRUE(map);
   EXPECT_EQ("map", map->header.frame_id);
   EXPECT_FLOAT_EQ(0.3F, map->info.resolution);
