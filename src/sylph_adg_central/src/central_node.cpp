@@ -7,6 +7,7 @@
 #include "sylph_adg_central/conversions.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_ros/experiment.hpp"
+#include "sylph_ros/parameters.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_adg_central {
@@ -28,14 +29,13 @@ std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
 }
 
 /// The folder given, or a new one that a restarted node finds again.
-std::string runFolderPath(const CentralOptions& options, const sylph::Experiment& experiment,
-                          const ros::NodeHandle& private_nh) {
-  std::string path = options.run_folder;
+std::string runFolderPath(const ros::NodeHandle& nh, const sylph::Experiment& experiment) {
+  std::string path;
+  sylph_ros::read(nh, sylph_ros::kRunFolderParameter, path);
   if (path.empty()) {
     path = defaultRunFolder(experiment.name, std::time(nullptr));
-    private_nh.setParam("run_folder", path);
+    nh.setParam(sylph_ros::kRunFolderParameter, path);
   }
-  private_nh.setParam(sylph_ros::kRunFolderParameter, path);
   return path;
 }
 
@@ -45,12 +45,12 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
     : nh_(nh),
       private_nh_(private_nh),
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
-      experiment_(sylph_ros::loadExperiment(private_nh)),
+      experiment_(sylph_ros::loadExperiment(nh)),
       margin_(sylph::requireSafetyMargin(experiment_)),
       options_(loadCentralOptions(private_nh, experiment_)),
       frame_(experiment_.grid, experiment_.cell_size_m),
       names_(namesOf(experiment_)),
-      folder_(runFolderPath(options_, experiment_, private_nh), experiment_),
+      folder_(runFolderPath(nh, experiment_), experiment_),
       log_(folder_.eventLog(), names_),
       execution_(names_, experiment_.grid.rows(), experiment_.grid.cols(), experiment_.cell_size_m,
                  options_.limits),
@@ -62,8 +62,8 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   diagnostics_.add("execution", this, &CentralNode::reportDiagnostics);
   state_publisher_ = nh_.advertise<sylph_msgs::AdgState>(sylph_ros::kAdgStateTopic, 10);
   for (const std::string& name : names_) {
-    task_publishers_.push_back(
-        nh_.advertise<sylph_msgs::Task>("/" + name + "/" + sylph_ros::kTaskTopic, kQueue));
+    task_publishers_.push_back(nh_.advertise<sylph_msgs::Task>(
+        sylph_ros::robotTopic(nh_, name, sylph_ros::kTaskTopic), kQueue));
   }
   subscribe();
   advertiseServices();
@@ -112,7 +112,7 @@ void CentralNode::subscribe() {
       nh_.subscribe(sylph_ros::kSimulationTruthTopic, 1, &CentralNode::onTruth, this));
   for (int robot = 0; robot < execution_.robotCount(); ++robot) {
     subscribers_.push_back(nh_.subscribe<sylph_msgs::TaskReport>(
-        "/" + execution_.name(robot) + "/" + sylph_ros::kTaskReportTopic, 10,
+        sylph_ros::robotTopic(nh_, execution_.name(robot), sylph_ros::kTaskReportTopic), 10,
         [this, robot](const sylph_msgs::TaskReport::ConstPtr& message) {
           onReport(robot, *message);
         }));

@@ -27,11 +27,10 @@ void readPositive(const ros::NodeHandle& nh, const std::string& name, double& va
 
 CentralOptions loadCentralOptions(const ros::NodeHandle& private_nh,
                                   const sylph::Experiment& experiment) {
-  sylph_ros::requireKnown(private_nh, {"experiment", "seed", "planner", "run_folder", "lookahead",
-                                       "heartbeat_period_s", "resend_after_s", "silent_after_s",
-                                       "stuck_after_s", "lost_after_s", "start_wait_s"});
+  sylph_ros::requireKnown(private_nh,
+                          {"lookahead", "heartbeat_period_s", "resend_after_s", "silent_after_s",
+                           "stuck_after_s", "lost_after_s", "start_wait_s"});
   CentralOptions options;
-  sylph_ros::read(private_nh, "run_folder", options.run_folder);
   readPositive(private_nh, "heartbeat_period_s", options.heartbeat_period_s);
   sylph::ExecutionLimits& limits = options.limits;
   sylph_ros::read(private_nh, "lookahead", limits.lookahead);

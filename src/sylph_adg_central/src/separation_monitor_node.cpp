@@ -30,8 +30,7 @@ std::vector<sylph::Footprint> footprintsOf(const sylph::Experiment& experiment) 
 
 SeparationMonitorOptions loadSeparationMonitorOptions(const ros::NodeHandle& private_nh,
                                                       const sylph::Experiment& experiment) {
-  sylph_ros::requireKnown(private_nh, {"experiment", "seed", "planner", "limit_m", "confirmations",
-                                       "rate_hz", "pose_timeout_s"});
+  sylph_ros::requireKnown(private_nh, {"limit_m", "confirmations", "rate_hz", "pose_timeout_s"});
   const sylph::SafetyMargin margin = sylph::requireSafetyMargin(experiment);
   SeparationMonitorOptions options;
   options.limits.limit_m = 0.0;
@@ -58,7 +57,7 @@ SeparationMonitorNode::SeparationMonitorNode(const ros::NodeHandle& nh,
                                              const ros::NodeHandle& private_nh)
     : nh_(nh),
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
-      experiment_(sylph_ros::loadExperiment(private_nh)),
+      experiment_(sylph_ros::loadExperiment(nh)),
       options_(loadSeparationMonitorOptions(private_nh, experiment_)),
       watch_(footprintsOf(experiment_), options_.limits),
       received_s_(experiment_.robots.size()),
@@ -73,7 +72,7 @@ SeparationMonitorNode::SeparationMonitorNode(const ros::NodeHandle& nh,
                                         &SeparationMonitorNode::onReset, this);
   for (int robot = 0; robot < static_cast<int>(experiment_.robots.size()); ++robot) {
     subscribers_.push_back(nh_.subscribe<geometry_msgs::PoseStamped>(
-        "/" + name(robot) + "/" + sylph_ros::kPoseTopic, 10,
+        sylph_ros::robotTopic(nh_, name(robot), sylph_ros::kPoseTopic), 10,
         [this, robot](const geometry_msgs::PoseStamped::ConstPtr& message) {
           onPose(robot, *message);
         },

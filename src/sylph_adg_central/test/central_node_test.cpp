@@ -67,7 +67,7 @@ class CentralNodeTest : public testing::Test {
  protected:
   CentralNodeTest() : private_nh_("~"), frame_(5, 0.3) {
     folder_ = testing::TempDir() + "sylph_" + std::to_string(ros::WallTime::now().toNSec());
-    private_nh_.setParam("run_folder", folder_);
+    nh_.setParam("run_folder", folder_);
     private_nh_.setParam("lost_after_s", 0.0);
     private_nh_.setParam("silent_after_s", 1.0);
     private_nh_.setParam("stuck_after_s", 5.0);
@@ -220,7 +220,6 @@ TEST_F(CentralNodeTest, CarriesAPlanOutAndWritesTheResult) {
   EXPECT_EQ(0, yaml["stops"].as<int>());
   EXPECT_TRUE(std::filesystem::exists(folder_ + "/experiment.yaml"));
   EXPECT_TRUE(std::filesystem::exists(folder_ + "/plan.txt"));
-  EXPECT_EQ(folder_, nh_.param<std::string>("/sylph/run_folder", ""));
 }
 
 TEST_F(CentralNodeTest, ArrivesOverABadLine) {
@@ -243,7 +242,7 @@ TEST_F(CentralNodeTest, ArrivesOverABadLine) {
 TEST_F(CentralNodeTest, DropsReportsOfAnotherPlan) {
   robots_[1]->is_silent = true;  // it leads; the test speaks for it
   ros::Publisher impostor = nh_.advertise<sylph_msgs::TaskReport>(
-      "/robot_1/" + std::string(sylph_ros::kTaskReportTopic), 10);
+      sylph_ros::robotTopic(nh_, "robot_1", sylph_ros::kTaskReportTopic), 10);
   ASSERT_TRUE(spinUntil([&] { return impostor.getNumSubscribers() > 0; }));
   sylph_msgs::TaskReport report;
   const auto tell = [&](std::uint32_t plan_id, std::uint32_t done) {

@@ -29,10 +29,10 @@ class MockRobot {
   MockRobot(ros::NodeHandle nh, std::string name, const sylph::CellFrame& frame,
             const sylph::Point& position)
       : name_(std::move(name)), frame_(frame), position_(position) {
-    publisher_ =
-        nh.advertise<sylph_msgs::TaskReport>("/" + name_ + "/" + sylph_ros::kTaskReportTopic, 100);
-    subscriber_ =
-        nh.subscribe("/" + name_ + "/" + sylph_ros::kTaskTopic, 1000, &MockRobot::onTask, this);
+    publisher_ = nh.advertise<sylph_msgs::TaskReport>(
+        sylph_ros::robotTopic(nh, name_, sylph_ros::kTaskReportTopic), 100);
+    subscriber_ = nh.subscribe(sylph_ros::robotTopic(nh, name_, sylph_ros::kTaskTopic), 1000,
+                               &MockRobot::onTask, this);
   }
 
   bool isConnected() const {

@@ -21,7 +21,7 @@ class SeparationMonitorTest : public testing::Test {
   SeparationMonitorTest() : node_(nh_, ros::NodeHandle("~")) {
     for (const char* robot : {"robot_0", "robot_1"}) {
       publishers_.push_back(nh_.advertise<geometry_msgs::PoseStamped>(
-          "/" + std::string(robot) + "/" + sylph_ros::kPoseTopic, 10));
+          sylph_ros::robotTopic(nh_, robot, sylph_ros::kPoseTopic), 10));
     }
     subscribers_.push_back(nh_.subscribe<sylph_msgs::SeparationState>(
         sylph_ros::kSeparationTopic, 10,

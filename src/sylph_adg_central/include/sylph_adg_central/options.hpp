@@ -13,7 +13,6 @@ namespace sylph_adg_central {
 struct CentralOptions {
   sylph::ExecutionLimits limits;
   double heartbeat_period_s = 0.1;  ///< AdgState at least so often, > 0
-  std::string run_folder;           ///< empty: made from the time and the experiment's name
 };
 
 /// @throws std::runtime_error with one line on a bad or unknown parameter
