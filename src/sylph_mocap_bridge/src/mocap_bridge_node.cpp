@@ -39,7 +39,7 @@ std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
 
 MocapBridgeNode::MocapBridgeNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
     : nh_(std::move(nh)),
-      experiment_(sylph_ros::loadExperiment(private_nh)),
+      experiment_(sylph_ros::loadExperiment(nh_)),
       options_(loadOptions(private_nh, experiment_)),
       tracks_(options_.tracks),
       publishers_(nh_, namesOf(experiment_), options_.rates, options_.tracks.tracker),

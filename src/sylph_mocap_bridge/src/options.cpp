@@ -138,11 +138,7 @@ void readTracks(const ros::NodeHandle& nh, const sylph::Experiment& experiment,
 }  // namespace
 
 Options loadOptions(const ros::NodeHandle& private_nh, const sylph::Experiment& experiment) {
-  sylph_ros::requireKnown(private_nh, {"experiment",
-                                       "seed",
-                                       "planner",
-                                       "run_folder",
-                                       "input",
+  sylph_ros::requireKnown(private_nh, {"input",
                                        "server_address",
                                        "local_interface",
                                        "command_port",

@@ -17,10 +17,12 @@ RobotPublishers::RobotPublishers(ros::NodeHandle& nh, const std::vector<std::str
                                  const PublishRates& rates, const TrackerOptions& noise)
     : noise_(noise) {
   for (const std::string& name : robots) {
-    const std::string prefix = "/" + name + "/";
+    const auto topic = [&](const char* of_robot) {
+      return sylph_ros::robotTopic(nh, name, of_robot);
+    };
     robots_.push_back(
-        {name, nh.advertise<geometry_msgs::PoseStamped>(prefix + sylph_ros::kPoseTopic, kQueueSize),
-         nh.advertise<nav_msgs::Odometry>(prefix + sylph_ros::kOdometryTopic, kQueueSize),
+        {name, nh.advertise<geometry_msgs::PoseStamped>(topic(sylph_ros::kPoseTopic), kQueueSize),
+         nh.advertise<nav_msgs::Odometry>(topic(sylph_ros::kOdometryTopic), kQueueSize),
          RateGate(rates.pose_hz), RateGate(rates.odom_hz), RateGate(rates.tf_hz)});
   }
 }
