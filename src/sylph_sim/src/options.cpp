@@ -169,10 +169,10 @@ Options loadOptions(const ros::NodeHandle& private_nh) {
                              options.clock_wall_rate_limit_hz);
   sylph_ros::read(private_nh, "truth_rate_hz", options.truth_rate_hz);
   sylph_ros::requirePositive(private_nh, "truth_rate_hz", options.truth_rate_hz);
-  sylph_ros::requireKnown(
-      private_nh, {"base", "cameras", "clock_period_s", "clock_wall_rate_limit_hz",
-                   "diagnostic_period", "experiment", "faults", "natnet", "planner", "seed",
-                   "start_offset_m", "start_yaw_offset_rad", "step_rate_hz", "truth_rate_hz"});
+  sylph_ros::requireKnown(private_nh,
+                          {"base", "cameras", "clock_period_s", "clock_wall_rate_limit_hz",
+                           "diagnostic_period", "faults", "natnet", "start_offset_m",
+                           "start_yaw_offset_rad", "step_rate_hz", "truth_rate_hz"});
   requireValid(simulation);
   return options;
 }

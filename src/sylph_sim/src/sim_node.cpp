@@ -50,7 +50,7 @@ void requireSimulatedTime() {
 
 SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : options_(loadOptions(private_nh)),
-      experiment_(sylph_ros::loadExperiment(private_nh)),
+      experiment_(sylph_ros::loadExperiment(nh)),
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       start_s_(ros::WallTime::now().toSec()),
       simulation_(options_.simulation, experiment_, start_s_),
@@ -69,7 +69,8 @@ SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
   clock_publisher_ = nh.advertise<rosgraph_msgs::Clock>("/clock", 1);
   truth_publisher_ = nh.advertise<sylph_msgs::SimulationTruth>(sylph_ros::kSimulationTruthTopic, 1);
   for (std::size_t robot = 0; robot < experiment_.robots.size(); ++robot) {
-    const std::string topic = "/" + experiment_.robots[robot].name + "/" + sylph_ros::kCommandTopic;
+    const std::string topic =
+        sylph_ros::robotTopic(nh, experiment_.robots[robot].name, sylph_ros::kCommandTopic);
     command_subscribers_.push_back(nh.subscribe<geometry_msgs::Twist>(
         topic, 1,
         [this, robot](const geometry_msgs::TwistConstPtr& message) { onCommand(robot, *message); },
