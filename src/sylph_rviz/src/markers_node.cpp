@@ -13,10 +13,10 @@ MarkersNode::MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
       options_(loadOptions(private_nh)),
       clock_(sylph_ros::SteadyClock::fromParameter(nh_)) {
   std::string experiment;
-  sylph_ros::read(private_nh, "experiment", experiment);
+  sylph_ros::read(nh_, sylph_ros::kExperimentParameter, experiment);
   has_experiment_ = !experiment.empty();
   if (has_experiment_) {
-    scene_ = sceneOf(sylph_ros::loadExperiment(private_nh));
+    scene_ = sceneOf(sylph_ros::loadExperiment(nh_));
     for (std::size_t robot = 0; robot < scene_.robots.size(); ++robot) {
       listenTo(robot);
     }
@@ -25,7 +25,8 @@ MarkersNode::MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
     outputs_.push_back({nh_.advertise<visualization_msgs::MarkerArray>(layer.topic, 1), {}});
   }
   state_subscriber_ = nh_.subscribe(sylph_ros::kAdgStateTopic, 1, &MarkersNode::onAdgState, this);
-  map_subscriber_ = nh_.subscribe(sylph_ros::kMapTopic, 1, &MarkersNode::onMap, this);
+  map_subscriber_ =
+      nh_.subscribe(sylph_ros::fleetName(nh_, sylph_ros::kMapTopic), 1, &MarkersNode::onMap, this);
   separation_subscriber_ = nh_.subscribe<sylph_msgs::SeparationState>(
       sylph_ros::kSeparationTopic, 1, [this](const sylph_msgs::SeparationState::ConstPtr& message) {
         scene_.separation = *message;
@@ -82,21 +83,21 @@ void MarkersNode::addRobot(const std::string& name) {
 
 void MarkersNode::listenTo(std::size_t robot) {
   const RobotView& view = scene_.robots[robot];
-  const std::string ns = "/" + view.name + "/";
+  const std::string footprint_topic =
+      sylph_ros::robotTopic(nh_, view.name, sylph_ros::kFootprintTopic);
   RobotInput input;
   input.pose = nh_.subscribe<geometry_msgs::PoseStamped>(
-      ns + sylph_ros::kPoseTopic, 1,
+      sylph_ros::robotTopic(nh_, view.name, sylph_ros::kPoseTopic), 1,
       [this, robot](const geometry_msgs::PoseStamped::ConstPtr& message) {
         onPose(robot, *message);
       });
   if (has_experiment_) {
     input.footprint_publisher =
-        nh_.advertise<geometry_msgs::PolygonStamped>(ns + sylph_ros::kFootprintTopic, 1, true);
+        nh_.advertise<geometry_msgs::PolygonStamped>(footprint_topic, 1, true);
     input.footprint_publisher.publish(footprintOf(view));
   } else {
     input.footprint = nh_.subscribe<geometry_msgs::PolygonStamped>(
-        ns + sylph_ros::kFootprintTopic, 1,
-        [this, robot](const geometry_msgs::PolygonStamped::ConstPtr& message) {
+        footprint_topic, 1, [this, robot](const geometry_msgs::PolygonStamped::ConstPtr& message) {
           setFootprint(scene_.robots[robot], *message);
         });
   }

@@ -8,8 +8,7 @@ namespace sylph_rviz {
 
 Options loadOptions(const ros::NodeHandle& private_nh) {
   Options options;
-  sylph_ros::requireKnown(
-      private_nh, {"experiment", "seed", "planner", "rate_hz", "lifetime_s", "pose_timeout_s"});
+  sylph_ros::requireKnown(private_nh, {"rate_hz", "lifetime_s", "pose_timeout_s"});
   sylph_ros::read(private_nh, "rate_hz", options.rate_hz);
   sylph_ros::read(private_nh, "lifetime_s", options.lifetime_s);
   sylph_ros::read(private_nh, "pose_timeout_s", options.pose_timeout_s);

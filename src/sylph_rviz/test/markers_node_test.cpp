@@ -23,7 +23,7 @@ class MarkersNodeTest : public ::testing::Test {
   void SetUp() override {
     state_ = suite_.advertise<sylph_msgs::AdgState>(sylph_ros::kAdgStateTopic, 1, true);
     pose_ = suite_.advertise<geometry_msgs::PoseStamped>("/robot_0/pose", 1, true);
-    map_ = suite_.advertise<nav_msgs::OccupancyGrid>(sylph_ros::kMapTopic, 1, true);
+    map_ = suite_.advertise<nav_msgs::OccupancyGrid>("/map", 1, true);
     const Scene scene = twoRobots();
     state_.publish(*scene.state);
     geometry_msgs::PoseStamped pose;
@@ -112,10 +112,10 @@ TEST_F(MarkersNodeTest, TakesFootprintsFromTopicsWithoutAnExperiment) {
 }
 
 TEST_F(MarkersNodeTest, PublishesFootprintsOfItsExperiment) {
-  const MarkersNode node(suite_, ros::NodeHandle("experiment"));
+  const MarkersNode node(ros::NodeHandle("fleet/sylph"), ros::NodeHandle("shipped"));
   double length_m = 0.0;
   const ros::Subscriber footprint = suite_.subscribe<geometry_msgs::PolygonStamped>(
-      "/robot_7/footprint", 1, [&](const geometry_msgs::PolygonStamped::ConstPtr& message) {
+      "/fleet/robot_7/footprint", 1, [&](const geometry_msgs::PolygonStamped::ConstPtr& message) {
         RobotView robot;
         robot.length_m = 0.0;
         setFootprint(robot, *message);
@@ -153,11 +153,12 @@ TEST_F(MarkersNodeTest, DrawsNobodyFaintWhenAReplayIsPaused) {
 }
 
 TEST(MarkersNodeStartTest, RefusesEachBadParameter) {
-  for (const char* ns :
-       {"bad_rate", "bad_lifetime", "bad_timeout", "bad_name", "bad_type", "bad_experiment"}) {
+  for (const char* ns : {"bad_rate", "bad_lifetime", "bad_timeout", "bad_name", "bad_type"}) {
     EXPECT_THROW(MarkersNode(ros::NodeHandle("sylph"), ros::NodeHandle(ns)), std::runtime_error)
         << ns;
   }
+  EXPECT_THROW(MarkersNode(ros::NodeHandle("bad_fleet/sylph"), ros::NodeHandle("shipped")),
+               std::runtime_error);
 }
 
 }  // namespace
