@@ -7,6 +7,7 @@
 
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/parameters.hpp"
+#include "sylph_ros/topics.hpp"
 
 namespace sylph_robot_node {
 namespace {
@@ -109,8 +110,6 @@ void readController(const ros::NodeHandle& nh, sylph::RobotControllerOptions& co
 
 Options loadOptions(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh) {
   sylph_ros::requireKnown(private_nh, {"experiment",
-                                       "seed",
-                                       "planner",
                                        "robot",
                                        "heading_rad",
                                        "control_rate_hz",
@@ -141,7 +140,10 @@ Options loadOptions(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh
   Options options;
   options.robot = nameFromNamespace(nh);
   sylph_ros::read(private_nh, "robot", options.robot);
-  const sylph::Experiment experiment = sylph_ros::loadExperiment(private_nh);
+  std::string own_path;
+  sylph_ros::read(private_nh, "experiment", own_path);
+  const sylph::Experiment experiment =
+      sylph_ros::loadExperiment(sylph_ros::suiteHandle(nh), own_path);
   requireMember(experiment, options.robot);
   options.grid = experiment.grid;
   options.cell_size_m = experiment.cell_size_m;

@@ -17,15 +17,11 @@ namespace {
 /// Stamps of another machine may run a little ahead of this one's clock.
 constexpr double kStampAhead_s = 0.05;
 
-std::string suiteTopic(const char* name) {
-  return std::string(sylph_ros::kSuiteNamespace) + "/" + name;
-}
-
 }  // namespace
 
 RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : options_(loadOptions(nh, private_nh)),
-      clock_(sylph_ros::SteadyClock::fromParameter(nh)),
+      clock_(sylph_ros::SteadyClock::fromParameter(sylph_ros::suiteHandle(nh))),
       frame_(options_.grid, options_.cell_size_m),
       controller_(options_.controller, options_.grid, frame_),
       nh_(nh),
@@ -36,10 +32,11 @@ RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   report_publisher_ = nh_.advertise<sylph_msgs::TaskReport>(sylph_ros::kTaskReportTopic, 10);
   task_subscriber_ = nh_.subscribe(sylph_ros::kTaskTopic, 100, &RobotNode::onTask, this, no_delay);
   pose_subscriber_ = nh_.subscribe(sylph_ros::kPoseTopic, 1, &RobotNode::onPose, this, no_delay);
-  adg_state_subscriber_ = nh_.subscribe(suiteTopic(sylph_ros::kAdgStateTopic), 1,
-                                        &RobotNode::onAdgState, this, no_delay);
-  emergency_subscriber_ = nh_.subscribe(suiteTopic(sylph_ros::kEmergencyStopTopic), 10,
-                                        &RobotNode::onEmergencyStop, this, no_delay);
+  ros::NodeHandle suite = sylph_ros::suiteHandle(nh_);
+  adg_state_subscriber_ =
+      suite.subscribe(sylph_ros::kAdgStateTopic, 1, &RobotNode::onAdgState, this, no_delay);
+  emergency_subscriber_ = suite.subscribe(sylph_ros::kEmergencyStopTopic, 10,
+                                          &RobotNode::onEmergencyStop, this, no_delay);
   updater_.setHardwareID(options_.robot);
   updater_.add("control",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });

@@ -14,10 +14,7 @@ const std::string kExperiment = SYLPH_TEST_DATA "/small_lab.yaml";
 /// Options of /robot_0 with private parameters in a namespace of their own.
 class OptionsTest : public testing::Test {
  protected:
-  OptionsTest() : private_nh_("~case") {
-    private_nh_.deleteParam("");
-    private_nh_.setParam("experiment", kExperiment);
-  }
+  OptionsTest() : private_nh_("~case") { private_nh_.deleteParam(""); }
 
   Options load() { return loadOptions(ros::NodeHandle("/robot_0"), private_nh_); }
 
@@ -34,8 +31,7 @@ class OptionsTest : public testing::Test {
 };
 
 TEST_F(OptionsTest, TheShippedFileHasTheDefaultsAndEveryNumber) {
-  ros::NodeHandle shipped("~shipped");
-  shipped.setParam("experiment", kExperiment);
+  const ros::NodeHandle shipped("~shipped");
   const Options options = loadOptions(ros::NodeHandle("/robot_0"), shipped);
   EXPECT_EQ("robot_0", options.robot);
   EXPECT_DOUBLE_EQ(50.0, options.control_rate_hz);
@@ -78,6 +74,12 @@ TEST_F(OptionsTest, RefusesAnUnknownParameter) {
 TEST_F(OptionsTest, RefusesAWrongType) {
   private_nh_.setParam("cross_gain", "high");
   EXPECT_NE(std::string::npos, complaint().find("cross_gain: must be a number"));
+}
+
+TEST_F(OptionsTest, TakesACopyOfTheExperimentOnThisComputer) {
+  private_nh_.setParam("experiment", kExperiment);
+  ros::NodeHandle("/elsewhere/sylph").setParam("experiment", "/nowhere.yaml");
+  EXPECT_EQ("robot_0", loadOptions(ros::NodeHandle("/elsewhere/robot_0"), private_nh_).robot);
 }
 
 TEST_F(OptionsTest, RefusesAMissingExperiment) {
