@@ -7,8 +7,11 @@
 #include <sylph_msgs/AdgState.h>
 #include <sylph_msgs/TaskReport.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdio>
 #include <string>
 
 #include "mock_lab.hpp"
@@ -94,11 +97,24 @@ TEST(RobotNodeTest, ATaskFromHoldToShutdown) {
   ASSERT_TRUE(waitUntil([&] { return lab.report().done == 3; }));
   EXPECT_NEAR(1.05, lab.pose().x_m, 0.012);
 
+  // A second node of the same name leaves it alone and says so, once.
+  const int process = processOf("/robot_0/sylph_robot");
+  ASSERT_GT(process, 0);
+  FILE* second = popen("timeout 5 " SYLPH_ROBOT_EXECUTABLE " __ns:=robot_0 2>&1", "r");
+  ASSERT_NE(nullptr, second);
+  std::string said;
+  std::array<char, 512> buffer{};
+  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), second) != nullptr) {
+    said += buffer.data();
+  }
+  pclose(second);
+  EXPECT_NE(std::string::npos, said.find("/robot_0/sylph_robot already runs at http://")) << said;
+  EXPECT_EQ(1, std::count(said.begin(), said.end(), '\n')) << said;
+  EXPECT_EQ(process, processOf("/robot_0/sylph_robot"));
+
   // Killed while it drives, it leaves zeros behind.
   lab.sendTask(2, 0, {0, 3}, {1, 3});
   ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) > 0.1; }));
-  const int process = processOf("/robot_0/sylph_robot");
-  ASSERT_GT(process, 0);
   ASSERT_EQ(0, kill(process, SIGINT));
   ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) == 0.0; }));
   const std::size_t commands = lab.commandCount();
