@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""record.launch: waits for the run's folder, records, and closes the bag when it is interrupted."""
+"""record_run waits for the run's folder, records, and closes the bag when it is interrupted."""
 import os
 import signal
 import subprocess
@@ -8,14 +8,14 @@ import time
 import unittest
 
 import rosbag
-import roslib.packages
 import rospy
 import rostest
 from geometry_msgs.msg import Twist
 from sylph_msgs.msg import AdgState
+from sylph_report.ros_tools import find_program
 from visualization_msgs.msg import MarkerArray
 
-LAUNCH = os.path.join(roslib.packages.get_pkg_dir("sylph_rviz"), "../../launch/record.launch")
+RECORD = find_program("sylph_rviz", "record_run")
 DEADLINE_S = 30.0
 
 
@@ -27,17 +27,19 @@ def wait_until(condition):
 
 
 class RecordTest(unittest.TestCase):
-    def test_records_inputs_and_decisions_into_the_run_folder_and_closes_the_bag(self):
-        state = rospy.Publisher("/sylph/adg_state", AdgState, queue_size=10)
-        command = rospy.Publisher("/robot_0/cmd_vel", Twist, queue_size=10)
-        rospy.Publisher("/sylph/markers/robots", MarkerArray, queue_size=1)
-        rospy.set_param("/sylph/run_folder", "/an/earlier/run")
+    def record(self, namespace):
+        """The topics of a bag of the fleet in this namespace, while two fleets speak: name -> number of messages."""
+        fleet = {"ROS_NAMESPACE": namespace} if namespace else {}
+        prefix = f"/{namespace}" if namespace else ""
+        state = rospy.Publisher(prefix + "/sylph/adg_state", AdgState, queue_size=10)
+        command = rospy.Publisher(prefix + "/cf1/cmd_vel", Twist, queue_size=10)
+        rospy.Publisher(prefix + "/sylph/markers/robots", MarkerArray, queue_size=1)
+        rospy.Publisher("/other/cf1/cmd_vel", Twist, queue_size=1)
+        rospy.set_param(prefix + "/sylph/run_folder", "")
         with tempfile.TemporaryDirectory() as folder:
-            launch = subprocess.Popen(["roslaunch", LAUNCH])
+            recorder = subprocess.Popen([RECORD], env=dict(os.environ, **fleet))
             try:
-                cleared = wait_until(lambda: rospy.get_param("/sylph/run_folder") == "")
-                self.assertTrue(cleared, "an earlier run's folder is forgotten")
-                rospy.set_param("/sylph/run_folder", os.path.join(folder, "run"))
+                rospy.set_param(prefix + "/sylph/run_folder", os.path.join(folder, "run"))
                 publishers = (state, command)
                 self.assertTrue(wait_until(lambda: all(p.get_num_connections() for p in publishers)))
                 rate = rospy.Rate(50)
@@ -46,14 +48,21 @@ class RecordTest(unittest.TestCase):
                     command.publish(Twist())
                     rate.sleep()
             finally:
-                launch.send_signal(signal.SIGINT)
-                launch.wait(DEADLINE_S)
+                recorder.send_signal(signal.SIGINT)
+                recorder.wait(DEADLINE_S)
             path = os.path.join(folder, "run", "run.bag")
             self.assertFalse(os.path.exists(path + ".active"))
             with rosbag.Bag(path) as bag:
                 topics = bag.get_type_and_topic_info().topics
-            self.assertEqual(set(topics), {"/sylph/adg_state", "/robot_0/cmd_vel"})
-            self.assertGreater(topics["/sylph/adg_state"].message_count, 25)
+            return {name: topic.message_count for name, topic in topics.items()}
+
+    def test_records_inputs_and_decisions_into_the_run_folder_and_closes_the_bag(self):
+        topics = self.record("")
+        self.assertEqual(set(topics), {"/sylph/adg_state", "/cf1/cmd_vel"})
+        self.assertGreater(topics["/sylph/adg_state"], 25)
+
+    def test_records_its_own_fleet_alone(self):
+        self.assertEqual(set(self.record("lab")), {"/lab/sylph/adg_state", "/lab/cf1/cmd_vel"})
 
 
 if __name__ == "__main__":

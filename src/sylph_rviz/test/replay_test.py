@@ -1,12 +1,11 @@
 #!/usr/bin/env python3
-"""replay.launch: shows a bag with nothing else running, and moves no robot."""
+"""replay_run plays what a picture needs, and moves no robot."""
 import os
 import subprocess
 import tempfile
 import time
 import unittest
 
-import roslib.packages
 import rospy
 import rostest
 import small_run
@@ -14,7 +13,6 @@ from geometry_msgs.msg import Twist
 from sylph_report.ros_tools import find_program
 from visualization_msgs.msg import Marker, MarkerArray
 
-LAUNCH = os.path.join(roslib.packages.get_pkg_dir("sylph_rviz"), "../../launch/replay.launch")
 REPLAY = find_program("sylph_rviz", "replay_run")
 DEADLINE_S = 40.0
 
@@ -25,25 +23,34 @@ class ReplayTest(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.bag = os.path.join(folder.name, "run.bag")
 
+    def topics_while_playing(self, **environment):
+        """All topics that somebody publishes while the bag is played to its end."""
+        replay = subprocess.Popen([REPLAY, self.bag, "--exit-when-done"], env=dict(os.environ, **environment))
+        published = set()
+        deadline = time.monotonic() + DEADLINE_S
+        while replay.poll() is None and time.monotonic() < deadline:
+            published.update(topic for topic, _ in rospy.get_published_topics())
+            time.sleep(0.1)
+        self.assertIsNotNone(replay.poll(), "ends with the bag")
+        forbidden = [t for t in published if t.rsplit("/", 1)[-1] in ("cmd_vel", "task", "task_report")]
+        self.assertEqual(forbidden, [])
+        return published
+
     def test_draws_the_run_and_plays_nothing_that_a_robot_obeys(self):
         small_run.write_bag(self.bag)
         bodies = set()
         rospy.Subscriber("/sylph/markers/robots", MarkerArray, lambda message: bodies.update(
             m.header.frame_id for m in message.markers if m.ns == "body" and m.action == Marker.ADD
         ))  # fmt: skip
-        launch = subprocess.Popen(
-            ["roslaunch", LAUNCH, f"bag:={self.bag}", "rviz:=false", "exit_when_done:=true"]
-        )
-        published = set()
-        deadline = time.monotonic() + DEADLINE_S
-        while launch.poll() is None and time.monotonic() < deadline:
-            published.update(topic for topic, _ in rospy.get_published_topics())
-            time.sleep(0.1)
-        self.assertIsNotNone(launch.poll(), "ends with the bag")
+        self.assertIn("/robot_0/pose", self.topics_while_playing())
         self.assertEqual(bodies, set(small_run.ROBOTS))
-        self.assertIn("/robot_0/pose", published)
-        forbidden = [t for t in published if t.rsplit("/", 1)[-1] in ("cmd_vel", "task", "task_report")]
-        self.assertEqual(forbidden, [])
+
+    def test_plays_into_its_own_namespace(self):
+        small_run.write_bag(self.bag)
+        before = {topic for topic, _ in rospy.get_published_topics()}
+        played = self.topics_while_playing(ROS_NAMESPACE="replay") - before
+        self.assertLessEqual({"/replay/robot_0/pose", "/replay/sylph/adg_state", "/replay/clock"}, played)
+        self.assertEqual([topic for topic in played if not topic.startswith("/replay/")], [])
 
     def assert_refused(self, reason):
         result = subprocess.run([REPLAY, self.bag], capture_output=True, text=True, timeout=DEADLINE_S,

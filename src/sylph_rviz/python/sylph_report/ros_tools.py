@@ -1,8 +1,13 @@
 """What the commands of this package share."""
 import os
+import re
 import sys
 
+import rosgraph.names
 import roslib.packages
+
+# What ROS calls by a global name and each fleet has for itself, as sylph_ros::initNode() has it.
+PER_FLEET = ("/clock", "/use_sim_time", "/tf", "/tf_static")
 
 
 def fail(message):
@@ -17,3 +22,20 @@ def find_program(package, name):
     if not found:
         fail(f"executable {package}/{name} not found: is {package} installed?")
     return found[0]
+
+
+def fleet_namespace():
+    """The namespace in which this program runs, with a slash at its end: the fleet's."""
+    return rosgraph.names.get_ros_namespace()
+
+
+def fleet_remappings():
+    """Arguments for a node that is no node of ours, so that it has its fleet's clock and frames."""
+    fleet = fleet_namespace().rstrip("/")
+    return [f"{name}:={fleet}{name}" for name in PER_FLEET] if fleet else []
+
+
+def recorded_fleet(topics):
+    """The namespace of the fleet that a bag with these topics is of, '/' or such as '/lab/'; None: of no fleet."""
+    found = [re.fullmatch("(/|/.+/)sylph/(adg_state|separation|joint_actions)", topic) for topic in topics]
+    return next((match.group(1) for match in found if match), None)

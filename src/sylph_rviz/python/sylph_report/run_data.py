@@ -7,15 +7,18 @@ from dataclasses import dataclass, field
 import rosbag
 import yaml
 
+from sylph_report.ros_tools import recorded_fleet
+
 # Defaults of an experiment's `execution` section.
 SPEED_LIMIT_MPS = 0.25
 TRACKING_ERROR_M = 0.012
 CELL_SIZE_M = 0.3
 
-ADG_STATE = "/sylph/adg_state"
-JOINT_ACTIONS = "/sylph/joint_actions"
-SEPARATION = "/sylph/separation"
-TRUTH = "/sylph/simulation_truth"
+# Topics, below the fleet's namespace.
+ADG_STATE = "sylph/adg_state"
+JOINT_ACTIONS = "sylph/joint_actions"
+SEPARATION = "sylph/separation"
+TRUTH = "sylph/simulation_truth"
 TASK_REPORT_TYPE = "sylph_msgs/TaskReport"
 
 EXECUTING = 2
@@ -163,14 +166,15 @@ def _load_bag(run, path):
 
 def _read_bag(run, bag):
     topics = bag.get_type_and_topic_info().topics
+    fleet = recorded_fleet(topics) or "/"
     reports = [name for name, info in topics.items() if info.msg_type == TASK_REPORT_TYPE]
-    wanted = [ADG_STATE, JOINT_ACTIONS, SEPARATION, TRUTH] + reports
+    wanted = [fleet + topic for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION, TRUTH)] + reports
     for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION):
-        if topic not in topics:
-            run.missing.append(f"run.bag: has no {topic}")
+        if fleet + topic not in topics:
+            run.missing.append(f"run.bag: has no {fleet}{topic}")
     reader = _BagReader(run)
     for topic, message, stamp in bag.read_messages(topics=wanted):
-        reader.take(topic, message, stamp.to_sec())
+        reader.take(topic[len(fleet):], message, stamp.to_sec())
     reader.finish()
 
 
