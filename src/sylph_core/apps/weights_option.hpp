@@ -2,8 +2,10 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <vector>
@@ -13,12 +15,36 @@
 
 namespace sylph {
 
-/// The suite's own weights, which the commands use unless told otherwise.
-inline const std::string kDefaultWeights = SYLPH_DEFAULT_WEIGHTS;
+/// The suite's own weights, which the commands use unless told otherwise: those of the install or
+/// devel space around the command, of the repository around it, or of a package on
+/// ROS_PACKAGE_PATH.
+/// @return  empty if there are none
+inline std::string findDefaultWeights() {
+  const std::filesystem::path file = "weights/sylph.safetensors";
+  std::vector<std::filesystem::path> folders;
+  auto folder = std::filesystem::canonical("/proc/self/exe").parent_path();
+  for (; folder != folder.root_path(); folder = folder.parent_path()) {
+    folders.push_back(folder / "share/sylph_bringup");
+    folders.push_back(folder);
+  }
+  const char* const packages = std::getenv("ROS_PACKAGE_PATH");
+  std::istringstream list(packages == nullptr ? "" : packages);
+  for (std::string entry; std::getline(list, entry, ':');) {
+    folders.push_back(std::filesystem::path(entry) / "sylph_bringup");
+  }
+  for (const std::filesystem::path& around : folders) {
+    if (std::filesystem::exists(around / file)) {
+      return around / file;
+    }
+  }
+  return "";
+}
 
 inline void addWeightsOption(CLI::App& app, std::string& path) {
+  const std::string found = findDefaultWeights();
   app.add_option("--weights", path,
-                 "of the policy, for planners that have one\n(default: " + kDefaultWeights + ")");
+                 "of the policy, for planners that have one\n(default: " +
+                     (found.empty() ? "none, as sylph_bringup is not installed" : found) + ")");
 }
 
 /// The policy for some planners, nullptr if none of them has one.
@@ -34,11 +60,12 @@ inline std::shared_ptr<const Policy> loadPolicy(const std::vector<std::string>& 
     }
     return nullptr;
   }
-  if (path.empty() && !std::filesystem::exists(kDefaultWeights)) {
+  const std::string file = path.empty() ? findDefaultWeights() : path;
+  if (file.empty()) {
     throw std::invalid_argument("--weights is required by planner '" + *planner +
-                                "': there is no " + kDefaultWeights);
+                                "': sylph_bringup, which has the suite's, is not installed");
   }
-  return std::make_shared<const Policy>(Policy::load(path.empty() ? kDefaultWeights : path));
+  return std::make_shared<const Policy>(Policy::load(file));
 }
 
 }  // namespace sylph

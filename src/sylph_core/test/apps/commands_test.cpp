@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <fstream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -22,9 +23,8 @@ struct CommandResult {
   std::string output;  // standard output and standard error
 };
 
-CommandResult run(const std::string& command) {
-  const std::string line = std::string(COMMANDS_DIR) + "/sylph_" + command + " 2>&1";
-  FILE* pipe = popen(line.c_str(), "r");
+CommandResult runLine(const std::string& line) {
+  FILE* pipe = popen((line + " 2>&1").c_str(), "r");
   if (pipe == nullptr) {
     throw std::runtime_error("cannot run " + line);
   }
@@ -35,6 +35,10 @@ CommandResult run(const std::string& command) {
   }
   result.status = WEXITSTATUS(pclose(pipe));
   return result;
+}
+
+CommandResult run(const std::string& command) {
+  return runLine(std::string(COMMANDS_DIR) + "/sylph_" + command);
 }
 
 class CommandsTest : public ::testing::Test {
@@ -204,6 +208,25 @@ TEST_F(CommandsTest, PlannersWithAPolicyTakeWeights) {
   const CommandResult compared =
       run("benchmark " + suite + " --planner sylph --planner lacam" + weights);
   EXPECT_EQ(0, compared.status) << compared.output;
+}
+
+TEST_F(CommandsTest, WeightsAreFoundInTheSpaceAroundTheCommand) {
+  namespace fs = std::filesystem;
+  const fs::path command = folder_.path("lib/sylph_core/sylph_plan");
+  fs::create_directories(command.parent_path());
+  fs::copy_file(std::string(COMMANDS_DIR) + "/sylph_plan", command);
+  const std::string arguments = " --planner sylph_pibt --json" + instance();
+  const std::string without_packages = "env -u ROS_PACKAGE_PATH ";
+  const CommandResult without = runLine(without_packages + command.string() + arguments);
+  EXPECT_EQ(2, without.status);
+  EXPECT_NE(std::string::npos, without.output.find("--weights is required by planner 'sylph_pibt'"))
+      << without.output;
+  fs::create_directories(folder_.path("share/sylph_bringup/weights"));
+  saveTensorFile(RandomWeights(smallShape(), 2).file(),
+                 folder_.path("share/sylph_bringup/weights/sylph.safetensors"));
+  const CommandResult with = runLine(without_packages + command.string() + arguments);
+  EXPECT_NE(2, with.status) << with.output;
+  EXPECT_GT(nlohmann::json::parse(with.output)["policy_calls"].get<int>(), 0);
 }
 
 TEST_F(CommandsTest, BadWeightsAreOneLineAndStatusTwo) {
