@@ -18,7 +18,7 @@ POLL_S = 0.005  # of the wall
 class Watcher:
     """Makes a case's faults happen, counted from the first motion, and tells how the run went.
 
-    Times are simulated seconds unless they say otherwise. Needs rospy.init_node().
+    Times are simulated seconds unless they say otherwise. Needs rospy.init_node(), in the fleet's namespace.
     """
 
     def __init__(self, case):
@@ -34,9 +34,9 @@ class Watcher:
         self._tasks_left = {}
         self._roles = {}
         self._progress_s = 0.0
-        self._inject = rospy.ServiceProxy("/sylph/inject_fault", InjectFault)
-        rospy.Subscriber("/sylph/simulation_truth", SimulationTruth, self._on_truth, queue_size=1, tcp_nodelay=True)
-        rospy.Subscriber("/sylph/adg_state", AdgState, self._on_state, queue_size=1, tcp_nodelay=True)
+        self._inject = rospy.ServiceProxy("sylph/inject_fault", InjectFault)
+        rospy.Subscriber("sylph/simulation_truth", SimulationTruth, self._on_truth, queue_size=1, tcp_nodelay=True)
+        rospy.Subscriber("sylph/adg_state", AdgState, self._on_state, queue_size=1, tcp_nodelay=True)
 
     def watch(self, wall_limit_s):
         """Until the robots have arrived, nothing moves on any more, or the wall limit.
@@ -125,7 +125,7 @@ class Watcher:
 
 
 def signals_of(case):
-    """The signals that a case sends: (time, pattern of the nodes' full names, number), by time.
+    """The signals that a case sends: (time, pattern of the nodes' names, number), by time.
 
     A kill is a SIGKILL; a pause is a SIGSTOP and then a SIGCONT, as if a node got no processor time.
     """
@@ -137,13 +137,13 @@ def signals_of(case):
 
 
 def processes_of(pattern):
-    """The processes of all nodes of this machine whose full name the pattern matches.
+    """The processes of all nodes of this machine whose name below the fleet's namespace the pattern matches.
 
     Raises ValueError if there is none.
     """
     master = rospy.get_master()
     _, _, system = master.getSystemState()
-    names = {node for topics in system for _, nodes in topics for node in nodes if re.fullmatch(pattern, node)}
+    names = {node for topics in system for _, nodes in topics for node in nodes if re.fullmatch(re.escape(rospy.get_namespace()) + pattern, node)}
     if not names:
         raise ValueError(f"no node matches {pattern}")
     uris = [master.lookupNode(name)[2] for name in names]

@@ -16,8 +16,8 @@ CASE = {
         {"kind": "jump", "robots": ["{busy}"], "at_s": 5.0, "duration_s": 0.5},
         {"kind": "stuck", "robots": ["{near}"], "at_s": 6.0, "duration_s": 2.0},
     ],
-    "pauses": [{"node": "/{busy}/.*", "at_s": 8.0, "duration_s": 0.5}],
-    "kills": [{"node": "/sylph/sylph_adg_central", "at_s": 9.0}],
+    "pauses": [{"node": "{busy}/.*", "at_s": 8.0, "duration_s": 0.5}],
+    "kills": [{"node": "sylph/sylph_adg_central", "at_s": 9.0}],
 }
 
 
@@ -31,4 +31,4 @@ class SystemFaultsTest(unittest.TestCase):
 
 if __name__ == "__main__":
     rospy.init_node("system_faults_test")
-    rostest.rosrun("sylph_sim", "system_faults", SystemFaultsTest, sys.argv)
+    rostest.rosrun("sylph_bringup", "system_faults", SystemFaultsTest, sys.argv)
