@@ -1,0 +1,174 @@
+#!/usr/bin/env python3
+"""Loads each launch file of the suite as roslaunch does and looks at what it would start."""
+import glob
+import itertools
+import os
+import subprocess
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+import roslaunch.config
+import roslaunch.core
+import roslaunch.xmlloader
+import roslib.packages
+import rosunit
+
+PACKAGE = "sylph_bringup"
+ROOT = roslib.packages.get_pkg_dir(PACKAGE)
+LAB = os.path.join(ROOT, "launch", "lab_experiment.launch")
+SIMULATION = {"sylph_sim"}
+ALWAYS = {
+    "mocap_bridge",
+    "sylph_adg_central",
+    "sylph_separation_monitor",
+    "sylph_planner",
+    "sylph_markers",
+    "sylph_mission",
+}
+AGREED = ["experiment", "seed", "planner", "weights", "speed", "run_folder"]
+
+
+def load(path, **arguments):
+    """The configuration that roslaunch makes of a file."""
+    config = roslaunch.config.ROSLaunchConfig()
+    argv = ["{}:={}".format(name, value) for name, value in arguments.items()]
+    roslaunch.xmlloader.XmlLoader(resolve_anon=False).load(path, config, argv=argv, verbose=False)
+    return config
+
+
+def arguments_of(path):
+    """The <arg> elements of a file that its caller may set."""
+    elements = xml.etree.ElementTree.parse(path).getroot().findall("arg")
+    return [element for element in elements if "value" not in element.attrib]
+
+
+def launch_files():
+    return sorted(glob.glob(os.path.join(ROOT, "launch", "*.launch")))
+
+
+def node_names(config):
+    return {node.name for node in config.nodes}
+
+
+def value_of(config, parameter):
+    return config.params[parameter].value
+
+
+class LaunchFilesTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.addCleanup(os.chdir, os.getcwd())
+        self.folder = os.path.join(os.path.realpath(folder.name), "a folder")
+        os.mkdir(self.folder)
+        os.chdir(self.folder)
+
+    def write(self, name):
+        path = os.path.join(self.folder, name)
+        with open(path, "w", encoding="utf-8") as stream:
+            stream.write("nothing reads this\n")
+        return path
+
+    def test_every_file_loads_and_its_nodes_exist(self):
+        self.write("1")
+        for path in launch_files():
+            with self.subTest(path=path):
+                required = [arg.get("name") for arg in arguments_of(path) if "default" not in arg.attrib]
+                config = load(path, **{name: "1" for name in required})
+                self.assertTrue(config.nodes)
+                for node in config.nodes:
+                    found = roslib.packages.find_node(node.package, node.type)
+                    self.assertTrue(found, "{}/{}".format(node.package, node.type))
+
+    def test_every_argument_has_a_description(self):
+        for path in launch_files():
+            for argument in arguments_of(path):
+                self.assertTrue(argument.get("doc"), "{}: {}".format(path, argument.get("name")))
+
+    def test_every_combination_of_switches_starts_the_right_nodes(self):
+        switches = {"sim": SIMULATION, "rviz": {"rviz"}, "record": {"record_run"}, "local_robots": {"start_robots"},
+                    "exit_when_done": set()}  # fmt: skip
+        for values in itertools.product([True, False], repeat=len(switches)):
+            chosen = dict(zip(switches, values))
+            with self.subTest(**chosen):
+                config = load(LAB, **{name: str(value).lower() for name, value in chosen.items()})
+                expected = ALWAYS.union(*(nodes for name, nodes in switches.items() if chosen[name]))
+                self.assertEqual(expected, node_names(config))
+                exits = value_of(config, "/sylph/sylph_mission/exit_when_done")
+                self.assertEqual(chosen["exit_when_done"], exits)
+
+    def test_no_display_or_recorder_ends_the_rest(self):
+        for path in [LAB, os.path.join(ROOT, "launch", "replay.launch")]:
+            for node in load(path, bag=self.write("run.bag")).nodes:
+                if node.name in ("rviz", "record_run", "sylph_markers"):
+                    self.assertFalse(node.required, node.name)
+
+    def test_what_nodes_agree_on_is_said_once(self):
+        config = load(LAB, experiment="lab_room", seed=7, planner="pibt", speed=2, run_folder="/run")
+        said = [name for name in config.params if name.rsplit("/", 1)[-1] in AGREED]
+        self.assertEqual(sorted("/sylph/" + name for name in AGREED), sorted(said))
+        self.assertEqual(os.path.join(ROOT, "maps", "lab_room.yaml"), value_of(config, "/sylph/experiment"))
+        self.assertEqual(7, value_of(config, "/sylph/seed"))
+        self.assertEqual("pibt", value_of(config, "/sylph/planner"))
+        self.assertEqual("/run", value_of(config, "/sylph/run_folder"))
+
+    def test_paths_count_from_where_the_user_stands(self):
+        lab, weights = self.write("my lab.yaml"), self.write("w.safetensors")
+        os.environ["HOME"] = self.folder
+        for start in ("", "./", "~/", self.folder + "/"):
+            config = load(LAB, experiment=start + "my lab.yaml", weights=start + "w.safetensors", run_folder=start + "r")
+            self.assertEqual(lab, value_of(config, "/sylph/experiment"))
+            self.assertEqual(weights, value_of(config, "/sylph/weights"))
+            self.assertEqual(os.path.join(self.folder, "r"), value_of(config, "/sylph/run_folder"))
+
+    def test_refuses_an_experiment_that_is_neither_file_nor_name(self):
+        command = [roslib.packages.find_node(PACKAGE, "user_path")[0], "experiment", "lab_mase"]
+        result = subprocess.run(command, capture_output=True, text=True, check=False)
+        self.assertEqual(2, result.returncode)
+        self.assertEqual("user_path: no experiment 'lab_mase': give a file, or one of lab_maze, lab_random, lab_room\n",
+                         result.stderr)  # fmt: skip
+        with self.assertRaises(roslaunch.core.RLException):
+            load(LAB, experiment="lab_mase")
+        with self.assertRaises(roslaunch.core.RLException):
+            load(LAB, weights="nowhere.safetensors")
+
+    def test_a_fleet_has_all_its_names_in_its_namespace(self):
+        bag = self.write("run.bag")
+        for path in launch_files():
+            arguments = {"bag": bag} if path.endswith("replay.launch") else {"robot": "cf1"}
+            config = load(path, ns="lab", **arguments)
+            self.assertTrue(config.nodes)
+            for name in [node.namespace for node in config.nodes] + list(config.params):
+                self.assertTrue(name.startswith("/lab/"), "{}: {}".format(path, name))
+            os.environ["ROS_NAMESPACE"] = "lab"
+            self.addCleanup(os.environ.pop, "ROS_NAMESPACE", None)
+            self.assertEqual(sorted(config.params), sorted(load(path, **arguments).params))
+            del os.environ["ROS_NAMESPACE"]
+
+    def test_a_robot_takes_the_labs_experiment_or_a_copy(self):
+        robot = os.path.join(ROOT, "launch", "robot.launch")
+        node = load(robot, robot="cf1").nodes[0]
+        self.assertEqual(("/cf1/", "sylph_robot", True), (node.namespace, node.name, node.respawn))
+        self.assertNotIn("/cf1/sylph_robot/experiment", load(robot, robot="cf1").params)
+        copy = load(robot, robot="cf1", experiment="lab_room")
+        self.assertEqual(os.path.join(ROOT, "maps", "lab_room.yaml"), value_of(copy, "/cf1/sylph_robot/experiment"))
+
+    def test_real_robots_know_no_speed_factor(self):
+        simulated = load(LAB, speed=4)
+        self.assertTrue(value_of(simulated, "/use_sim_time"))
+        self.assertEqual(4.0, value_of(simulated, "/sylph/speed"))
+        real = load(LAB, speed=4, sim="false")
+        self.assertFalse(value_of(real, "/use_sim_time"))
+        self.assertEqual(1.0, value_of(real, "/sylph/speed"))
+
+    def test_simulated_cameras_and_bridge_speak_on_the_same_ports(self):
+        config = load(LAB, natnet_port=2000)
+        self.assertEqual(2000, value_of(config, "/sylph/sylph_sim/natnet/command_port"))
+        self.assertEqual(2001, value_of(config, "/sylph/sylph_sim/natnet/data_port"))
+        self.assertEqual(2000, value_of(config, "/sylph/mocap_bridge/command_port"))
+        self.assertEqual(2001, value_of(config, "/sylph/mocap_bridge/data_port"))
+
+
+if __name__ == "__main__":
+    rosunit.unitrun(PACKAGE, "launch_files", LaunchFilesTest)
