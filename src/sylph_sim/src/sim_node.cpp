@@ -42,7 +42,8 @@ void requireSimulatedTime() {
   ros::NodeHandle nh;
   sylph_ros::read(nh, "/use_sim_time", use_sim_time);
   if (!use_sim_time) {
-    throw std::runtime_error("parameter /use_sim_time: must be true with the simulator");
+    throw std::runtime_error("parameter " + nh.resolveName("/use_sim_time") +
+                             ": must be true with the simulator");
   }
 }
 
