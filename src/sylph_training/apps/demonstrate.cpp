@@ -2,7 +2,7 @@
 #include <iostream>
 
 #include "apps/run_command.hpp"
-#include "sylph_training/training_settings.hpp"
+#include "sylph_training/run/training_settings.hpp"
 
 namespace {
 

@@ -7,10 +7,10 @@
 
 #include "apps/run_command.hpp"
 #include "sylph_core/policy/tensor_file.hpp"
-#include "sylph_training/rollout.hpp"
-#include "sylph_training/smp3o_phase.hpp"
-#include "sylph_training/threads.hpp"
-#include "sylph_training/training_settings.hpp"
+#include "sylph_training/run/threads.hpp"
+#include "sylph_training/run/training_settings.hpp"
+#include "sylph_training/smp3o/rollout.hpp"
+#include "sylph_training/smp3o/smp3o_phase.hpp"
 
 namespace {
 

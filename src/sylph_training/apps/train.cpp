@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "apps/run_command.hpp"
-#include "sylph_training/trainer.hpp"
+#include "sylph_training/run/trainer.hpp"
 
 namespace {
 

@@ -1,0 +1,95 @@
+#pragma once
+
+#include <deque>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/grid/rng.hpp"
+#include "sylph_training/imitation/corrections.hpp"
+#include "sylph_training/imitation/imitation_batch.hpp"
+#include "sylph_training/model/learner.hpp"
+#include "sylph_training/run/phase.hpp"
+
+namespace sylph_training {
+
+/// How the policy learns from demonstrations.
+struct ImitationSettings {
+  long steps = 5000;              ///< > 0
+  int batch = 1024;               ///< samples of a step, about, > 0
+  int first_shards = 10;          ///< to begin with; more are taken in as they appear, > 0
+  int refill_steps = 200;         ///< steps between looks for new shards, > 0
+  int log_steps = 20;             ///< steps between lines of the log, > 0
+  int validation_steps = 200;     ///< steps between validations, > 0
+  int validation_samples = 8000;  ///< about, > 0
+  bool bfloat16 = true;           ///< encode views in bfloat16
+  double valid_weight = 0.0;      ///< of the valid actions' loss, >= 0; the paper has 0.5
+  double yielding_weight = 0.1;   ///< of the SVO head's loss, >= 0
+  LabelSettings labels;
+  LearnerSettings learner;
+  std::optional<CorrectionSettings> corrections;  ///< of the policy as it is when the phase begins
+
+  /// Kind `imitation`, or `dagger`, which has corrections.
+  /// @throws std::runtime_error with one line naming file, line, field and what is allowed
+  static ImitationSettings read(const sylph::YamlMap& yaml);
+};
+
+/// Loss and measures of a batch.
+struct ImitationLoss {
+  torch::Tensor total;         ///< what the gradient follows
+  double cross_entropy = 0.0;  ///< of the actions towards the labels
+  double accuracy = 0.0;       ///< share of the expert's actions among the most likely ones
+  double best = 0.0;           ///< share of most likely actions without regret
+  double yielding = 0.0;       ///< cross entropy of the SVO head towards who gives way
+};
+
+/// He et al. 2024 trains by reinforcement learning alone; this is a warm start.
+///
+/// Actions: cross entropy towards the labels, and, weighed, binary cross entropy of the logits
+/// against the set of valid actions as in the paper. SVO: cross entropy of the head towards the
+/// most prosocial level where the expert has the agent give way to its partner, and towards the
+/// most selfish one where the agent goes first.
+ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
+                            const ImitationSettings& settings);
+
+/// Learning from demonstrations.
+class ImitationPhase : public Phase {
+ public:
+  ImitationPhase(const ImitationSettings& settings, RunState& state);
+
+  long steps() const override { return settings_.steps; }
+  std::pair<std::string, double> workPerStep() const override {
+    return {"samples", static_cast<double>(settings_.batch)};
+  }
+  std::optional<Figures> step(long step) override;
+  void save(torch::serialize::OutputArchive& archive) const override;
+  void load(torch::serialize::InputArchive& archive) override;
+  std::map<std::string, std::string> notes() const override;
+
+ private:
+  /// The shards of a folder in memory.
+  struct Source {
+    std::string folder;
+    std::deque<SceneStore> shards;
+    void load(int count);
+  };
+
+  void makeCorrections();
+  const SceneStore& drawShard();
+  std::vector<Pick> drawBatch();
+  void validate();
+
+  ImitationSettings settings_;
+  RunState* state_;
+  Learner learner_;
+  Source demonstrations_;
+  std::deque<Source> corrections_;  // one per round
+  Source validation_;
+  sylph::Rng rng_;
+  std::vector<double> sums_;  // of the figures since the last line of the log
+  long summed_ = 0;
+  ImitationLoss validated_;
+  long samples_seen_ = 0;
+};
+
+}  // namespace sylph_training
