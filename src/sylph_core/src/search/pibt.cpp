@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sylph_core/search/swap_rule.hpp"
+
 namespace sylph {
 
 Pibt::Pibt(const Graph& graph, const Vertices& goals, const DistanceTables& distances,
@@ -126,54 +128,25 @@ AgentId Pibt::findSwapPartner(AgentId agent, const Moves& moves) const {
     return kNoAgent;
   }
   const AgentId ahead = now_[wish];
-  if (ahead != kNoAgent && (*to_)[ahead] == kNoVertex && mustSwap(agent, ahead, at, wish) &&
-      canSwap(wish, at)) {
+  if (ahead != kNoAgent && (*to_)[ahead] == kNoVertex && haveToSwap(agent, ahead, at, wish)) {
     return ahead;
   }
   // One step before it shows: a neighbour would have to swap with this agent once it is on `wish`.
   for (const VertexId beside : graph_->neighbors(at)) {
     const AgentId other = now_[beside];
-    if (other != kNoAgent && beside != wish && mustSwap(other, agent, at, wish) &&
-        canSwap(wish, at)) {
+    if (other != kNoAgent && beside != wish && haveToSwap(other, agent, at, wish)) {
       return other;
     }
   }
   return kNoAgent;
 }
 
-// Whether pushing `puller` down the corridor brings the two no further: they meet no junction
-// before one of them has to come back.
-bool Pibt::mustSwap(AgentId pusher, AgentId puller, VertexId pusher_at, VertexId puller_at) const {
-  while (distances_->get(pusher, puller_at) < distances_->get(pusher, pusher_at)) {
-    VertexId onward = kNoVertex;
-    const int ways = waysOn(puller_at, pusher_at, onward);
-    if (ways >= 2) {
-      return false;
-    }
-    if (ways == 0) {
-      break;
-    }
-    pusher_at = puller_at;
-    puller_at = onward;
-  }
-  return distances_->get(puller, pusher_at) < distances_->get(puller, puller_at) &&
-         (distances_->get(pusher, pusher_at) == 0 ||
-          distances_->get(pusher, puller_at) < distances_->get(pusher, pusher_at));
-}
-
-// Whether backing out leads to a junction where the two can change places.
-bool Pibt::canSwap(VertexId pusher_at, VertexId puller_at) const {
-  const VertexId begin = pusher_at;
-  while (puller_at != begin) {
-    VertexId onward = kNoVertex;
-    const int ways = waysOn(puller_at, pusher_at, onward);
-    if (ways != 1) {
-      return ways >= 2;
-    }
-    pusher_at = puller_at;
-    puller_at = onward;
-  }
-  return false;
+bool Pibt::haveToSwap(AgentId pusher, AgentId puller, VertexId from, VertexId to) const {
+  const auto toGo = [this](AgentId agent, VertexId at) { return distances_->get(agent, at); };
+  const auto ways = [this](VertexId at, VertexId back, VertexId& onward) {
+    return waysOn(at, back, onward);
+  };
+  return mustSwap(toGo, ways, pusher, puller, from, to) && canSwap(ways, to, from);
 }
 
 // Number of ways on from a vertex, without the way back and without dead ends whose agent is home.

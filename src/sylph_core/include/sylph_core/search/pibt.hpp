@@ -38,8 +38,7 @@ class Pibt {
   void pull(AgentId agent, AgentId into_place_of);
 
   AgentId findSwapPartner(AgentId agent, const Moves& moves) const;
-  bool mustSwap(AgentId pusher, AgentId puller, VertexId pusher_at, VertexId puller_at) const;
-  bool canSwap(VertexId pusher_at, VertexId puller_at) const;
+  bool haveToSwap(AgentId pusher, AgentId puller, VertexId from, VertexId to) const;
   int waysOn(VertexId at, VertexId back, VertexId& onward) const;
 
   const Graph* graph_;
