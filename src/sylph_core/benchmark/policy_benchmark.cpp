@@ -10,7 +10,7 @@
 #include "sylph_core/mapf/random_instance.hpp"
 #include "sylph_core/policy/policy_rollout.hpp"
 #include "sylph_core/search/pibt.hpp"
-#include "sylph_core/search/pibt_generator.hpp"
+#include "sylph_core/search/pibt_steps.hpp"
 #include "sylph_core/search/policy_ranking.hpp"
 #include "sylph_core/social/partners.hpp"
 #include "test/support/random_weights.hpp"
@@ -29,8 +29,7 @@ class Crowd {
   explicit Crowd(int agents)
       : instance_(randomInstance(randomMap(RandomMapSpec(), rng_), agents, {}, rng_)),
         problem_(instance_),
-        ranking_(problem_, MoveSettings(), rng_),
-        pibt_(problem_.graph, problem_.goals, problem_.distances, problem_.motion) {
+        pibt_(problem_) {
     for (const Cell& goal : instance_.goals) {
       distances_.emplace_back(instance_.grid, goal);
     }
@@ -47,9 +46,10 @@ class Crowd {
   const std::vector<Configuration>& cells() const { return cells_; }
 
   void step(const AgentRows& actions) {
-    ranking_.listenTo(actions, waited_);
+    const MoveSettings settings;
+    PolicyRanking ranking(problem_, settings, actions, priorities_, rng_);
     Vertices next(vertices_.size(), kNoVertex);
-    pibt_.step(vertices_, orderByWaiting(waited_, tie_breaks_), ranking_, next);
+    pibt_.step(vertices_, orderByPriority(priorities_, tie_breaks_), ranking, next);
     vertices_ = next;
   }
 
@@ -59,10 +59,9 @@ class Crowd {
   Rng rng_{1};
   Instance instance_;
   SearchProblem problem_;
-  PolicyRanking ranking_;
   Pibt pibt_;
   Vertices vertices_ = problem_.starts;
-  std::vector<int> waited_ = std::vector<int>(vertices_.size(), 1);
+  Priorities priorities_ = Priorities(vertices_.size(), 1);
   std::vector<double> tie_breaks_ = std::vector<double>(vertices_.size(), 0.0);
   std::vector<DistanceField> distances_;
   std::vector<Configuration> cells_;

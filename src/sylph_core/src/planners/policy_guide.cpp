@@ -63,7 +63,7 @@ PolicySettings defaultSettings(PolicyUse use) {
   if (use == PolicyUse::Pibt) {
     // No search helps who goes round in circles: only chance does.
     settings.moves.base_temperature = 1.0;
-    settings.moves.most_heat = 4.0;
+    settings.moves.most_factor = 4.0;
   }
   return settings;
 }

@@ -3,7 +3,7 @@
 #include <utility>
 
 #include "sylph_core/search/deadline.hpp"
-#include "sylph_core/search/pibt_generator.hpp"
+#include "sylph_core/search/pibt_steps.hpp"
 
 namespace sylph {
 
@@ -17,7 +17,7 @@ PlanningResult StepwisePlanner::plan(const Instance& instance, const PlanningLim
   const auto guide = make_guide_(problem, instance, limits.threads, rng);
   const auto generator = guide->makeGenerator();
   std::vector<Vertices> configurations = {problem.starts};
-  std::vector<int> waited(problem.starts.size(), 0);
+  Priorities priorities(problem.starts.size(), 0);
   PlanningResult result;
   result.outcome = Outcome::Solved;
   while (configurations.back() != problem.goals) {
@@ -32,9 +32,9 @@ PlanningResult StepwisePlanner::plan(const Instance& instance, const PlanningLim
     const Vertices& now = configurations.back();
     const Vertices* before =
         configurations.size() > 1 ? &configurations[configurations.size() - 2] : nullptr;
-    waited = updateWaited(waited, now, problem.goals);
+    priorities = updatePriorities(priorities, now, problem.goals);
     Vertices next(problem.starts.size(), kNoVertex);
-    generator->generate(now, generator->order(now, before, waited), next);
+    generator->enter(now, before, priorities)->generate(next);
     configurations.push_back(std::move(next));
   }
   result.plan = problem.graph.toPlan(configurations);

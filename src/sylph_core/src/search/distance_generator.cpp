@@ -1,7 +1,9 @@
 #include "sylph_core/search/distance_generator.hpp"
 
+#include <vector>
+
 #include "sylph_core/search/distance_ranking.hpp"
-#include "sylph_core/search/pibt_generator.hpp"
+#include "sylph_core/search/pibt_steps.hpp"
 
 namespace sylph {
 namespace {
@@ -11,7 +13,7 @@ std::vector<double> makeTieBreaks(const SearchProblem& problem, int attempt, Rng
   tie_breaks.reserve(problem.starts.size());
   for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
     tie_breaks.push_back(attempt == 0 ? problem.distances.get(agent, problem.starts[agent])
-                                      : static_cast<double>(rng()));
+                                      : drawFraction(rng));
   }
   return tie_breaks;
 }
@@ -20,20 +22,19 @@ class DistanceGenerator : public ConfigurationGenerator {
  public:
   DistanceGenerator(const SearchProblem& problem, int attempt, Rng& rng)
       : ranking_(problem.distances, rng),
-        pibt_(Pibt(problem.graph, problem.goals, problem.distances, problem.motion), ranking_,
-              makeTieBreaks(problem, attempt, rng)) {}
+        pibt_(problem),
+        tie_breaks_(makeTieBreaks(problem, attempt, rng)) {}
 
-  std::vector<AgentId> order(const Vertices& configuration, const Vertices* before,
-                             const std::vector<int>& waited) override {
-    return pibt_.order(configuration, before, waited);
-  }
-  bool generate(const Vertices& from, const std::vector<AgentId>& order, Vertices& to) override {
-    return pibt_.generate(from, order, to);
+  std::unique_ptr<JointSteps> enter(const Vertices& configuration, const Vertices* /*before*/,
+                                    const Priorities& priorities) override {
+    return std::make_unique<PibtSteps>(pibt_, ranking_, configuration,
+                                       orderByPriority(priorities, tie_breaks_));
   }
 
  private:
   DistanceRanking ranking_;
-  PibtGenerator pibt_;  // refers to ranking_
+  Pibt pibt_;
+  std::vector<double> tie_breaks_;
 };
 
 }  // namespace

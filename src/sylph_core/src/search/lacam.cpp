@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <queue>
 
-#include "sylph_core/search/pibt_generator.hpp"
+#include "sylph_core/search/pibt_steps.hpp"
 
 namespace sylph {
 namespace {
@@ -33,7 +33,7 @@ Lacam::Status Lacam::search(const Deadline& deadline, long max_steps) {
       std::swap(open_[drawIndex(*rng_, open_.size())], open_.back());
     }
     Node& node = *open_.back();
-    if (!isWorthwhile(node) || node.next_constraint == node.constraints.size()) {
+    if (!isWorthwhile(node) || node.next_constraint == node.constraint_tree.size()) {
       open_.pop_back();
       continue;
     }
@@ -58,14 +58,14 @@ void Lacam::expandOnce(Node& node) {
   const std::size_t constraint = node.next_constraint++;
   bind(node, constraint);
   appendChildren(node, constraint);
-  if (!generator_->generate(node.configuration, node.order, to_)) {
+  if (!node.steps->generate(to_)) {
     return;
   }
   const std::uint64_t hash = hashOf(to_);
   Node* known = findNode(to_, hash);
   if (known == nullptr) {
     known = addNode(to_, hash, &node);
-    node.successors.push_back(known);
+    node.neighbors.push_back(known);
   } else {
     connect(node, *known);
   }
@@ -75,36 +75,37 @@ void Lacam::expandOnce(Node& node) {
 // Writes the vertices that a constraint and its ancestors bind agents to into to_.
 void Lacam::bind(const Node& node, std::size_t constraint) {
   to_.assign(problem_->goals.size(), kNoVertex);
-  const Constraint* bound = &node.constraints[constraint];
+  const std::vector<AgentId>& order = node.steps->order();
+  const Constraint* bound = &node.constraint_tree[constraint];
   while (bound->depth > 0) {
-    to_[node.order[bound->depth - 1]] = bound->target;
-    bound = &node.constraints[bound->parent];
+    to_[order[bound->depth - 1]] = bound->target;
+    bound = &node.constraint_tree[bound->parent];
   }
 }
 
 void Lacam::appendChildren(Node& node, std::size_t constraint) {
-  const int depth = node.constraints[constraint].depth;
+  const int depth = node.constraint_tree[constraint].depth;
   if (depth == static_cast<int>(problem_->goals.size())) {
     return;
   }
-  const VertexId at = node.configuration[node.order[depth]];
+  const VertexId at = node.configuration[node.steps->order()[depth]];
   const Graph::Neighbors neighbors = problem_->graph.neighbors(at);
   Vertices targets(neighbors.begin(), neighbors.end());
   targets.push_back(at);
   shuffle(targets, *rng_);
   for (const VertexId target : targets) {
     if (isConsistent(node, depth, target)) {
-      node.constraints.push_back({static_cast<std::int32_t>(constraint), depth + 1, target});
+      node.constraint_tree.push_back({static_cast<std::int32_t>(constraint), depth + 1, target});
     }
   }
 }
 
-// Whether agent order[depth] may go to `target` along with the agents bound in to_, which are the
+// Whether agent order()[depth] may go to `target` along with the agents bound in to_, which are the
 // first `depth` in order.
 bool Lacam::isConsistent(const Node& node, int depth, VertexId target) const {
-  const auto bound_begin = node.order.begin();
-  const auto bound_end = node.order.begin() + depth;
-  const VertexId home = node.configuration[node.order[depth]];
+  const auto bound_begin = node.steps->order().begin();
+  const auto bound_end = bound_begin + depth;
+  const VertexId home = node.configuration[node.steps->order()[depth]];
   if (std::any_of(bound_begin, bound_end,
                   [&](const AgentId other) { return to_[other] == target; })) {
     return false;
@@ -134,12 +135,12 @@ Lacam::Node* Lacam::addNode(const Vertices& configuration, std::uint64_t hash, N
   Node& node = nodes_.emplace_back();
   node.configuration = configuration;
   node.parent = parent;
-  node.waited =
-      updateWaited(parent == nullptr ? std::vector<int>(problem_->goals.size(), 0) : parent->waited,
-                   configuration, problem_->goals);
-  node.order = generator_->order(configuration,
-                                 parent == nullptr ? nullptr : &parent->configuration, node.waited);
-  node.constraints.push_back({0, 0, kNoVertex});
+  node.priorities = updatePriorities(
+      parent == nullptr ? Priorities(problem_->goals.size(), 0) : parent->priorities, configuration,
+      problem_->goals);
+  node.steps = generator_->enter(
+      node.configuration, parent == nullptr ? nullptr : &parent->configuration, node.priorities);
+  node.constraint_tree.push_back({0, 0, kNoVertex});
   node.cost = parent == nullptr ? 0 : parent->cost + stepCost(parent->configuration, configuration);
   node.cost_to_go = problem_->distances.sum(configuration);
   explored_.emplace(hash, &node);
@@ -151,14 +152,14 @@ Lacam::Node* Lacam::addNode(const Vertices& configuration, std::uint64_t hash, N
 
 // Notes a step between known configurations and passes on what it shortens.
 void Lacam::connect(Node& from, Node& to) {
-  if (std::find(from.successors.begin(), from.successors.end(), &to) == from.successors.end()) {
-    from.successors.push_back(&to);
+  if (std::find(from.neighbors.begin(), from.neighbors.end(), &to) == from.neighbors.end()) {
+    from.neighbors.push_back(&to);
   }
   std::queue<Node*> shortened({&from});
   while (!shortened.empty()) {
     Node& node = *shortened.front();
     shortened.pop();
-    for (Node* next : node.successors) {
+    for (Node* next : node.neighbors) {
       const long cost = node.cost + stepCost(node.configuration, next->configuration);
       if (cost < next->cost) {
         next->cost = cost;
@@ -179,7 +180,7 @@ void Lacam::insert(const std::vector<Vertices>& plan) {
     Node* next = findNode(plan[timestep], hash);
     if (next == nullptr) {
       next = addNode(plan[timestep], hash, node);
-      node->successors.push_back(next);
+      node->neighbors.push_back(next);
       open_.push_back(next);
     } else {
       connect(*node, *next);

@@ -45,12 +45,12 @@ VertexPath PathSearch::find(ReservationTable& table, VertexId start, VertexId go
   while (true) {
     const Timestep arrival = spread(table, start, goal, std::min(latest_arrival, table.horizon()));
     path = arrival < 0 ? VertexPath() : trace(table, goal, arrival, rng);
-    const Timestep ring = table.ringClosedBy(path);
-    if (ring == 0) {
+    const Timestep rotation = table.rotationClosedBy(path);
+    if (rotation == 0) {
       break;
     }
-    closings.push_back({path[ring - 1], path[ring], ring});
-    table.setClosedTo(path[ring - 1], path[ring], ring, true);
+    closings.push_back({path[rotation - 1], path[rotation], rotation});
+    table.setClosedTo(path[rotation - 1], path[rotation], rotation, true);
   }
   for (const Closing& closing : closings) {
     table.setClosedTo(closing.from, closing.to, closing.arrival, false);

@@ -1,8 +1,9 @@
 #include "sylph_core/search/policy_generator.hpp"
 
 #include <cmath>
+#include <utility>
 
-#include "sylph_core/search/pibt_generator.hpp"
+#include "sylph_core/search/pibt_steps.hpp"
 #include "sylph_core/social/svo.hpp"
 
 namespace sylph {
@@ -18,19 +19,49 @@ std::vector<double> distancesFromStart(const SearchProblem& problem) {
 
 /// Large for selfish agents; `distances` settle what is equal. SVOs change from step to step, and
 /// agents that take the lead by turns may get nowhere: who has waited long goes by distance alone.
-std::vector<double> selfishFirst(const std::vector<float>& svo_deg, const std::vector<int>& waited,
+std::vector<double> selfishFirst(const std::vector<float>& svo_deg, const Priorities& priorities,
                                  const std::vector<double>& distances) {
   constexpr int kLongWait = 30;      // [timesteps]
   constexpr double kPerLevel = 1e9;  // more than any distance
   std::vector<double> tie_breaks = distances;
   for (std::size_t agent = 0; agent < svo_deg.size(); ++agent) {
-    if (waited[agent] < kLongWait) {
+    if (priorities[agent] < kLongWait) {
       tie_breaks[agent] -=
           kPerLevel * std::round(static_cast<double>(svo_deg[agent]) / kSvoLevelSpacingDeg);
     }
   }
   return tie_breaks;
 }
+
+/// By the network at first, by distance once its patience is over.
+class PolicyGuidedSteps : public JointSteps {
+ public:
+  PolicyGuidedSteps(PibtSteps by_distance, PolicyRanking ranking, Pibt& pibt,
+                    const Vertices& configuration, int patience)
+      : by_distance_(std::move(by_distance)),
+        ranking_(ranking),
+        pibt_(&pibt),
+        configuration_(&configuration),
+        patience_(patience) {}
+
+  const std::vector<AgentId>& order() const override { return by_distance_.order(); }
+
+  bool generate(Vertices& to) override {
+    if (made_ >= patience_) {
+      return by_distance_.generate(to);
+    }
+    ++made_;
+    return pibt_->step(*configuration_, order(), ranking_, to);
+  }
+
+ private:
+  PibtSteps by_distance_;
+  PolicyRanking ranking_;
+  Pibt* pibt_;
+  const Vertices* configuration_;
+  int patience_;
+  int made_ = 0;
+};
 
 }  // namespace
 
@@ -39,31 +70,27 @@ PolicyGenerator::PolicyGenerator(const SearchProblem& problem, PolicySteps& step
                                  Rng& rng)
     : problem_(&problem),
       steps_(&steps),
+      settings_(settings),
       patience_(patience),
-      policy_ranking_(problem, settings, rng),
+      rng_(&rng),
       distance_ranking_(problem.distances, rng),
-      pibt_(problem.graph, problem.goals, problem.distances, problem.motion),
+      pibt_(problem),
       start_distances_(distancesFromStart(problem)) {}
 
-std::vector<AgentId> PolicyGenerator::order(const Vertices& configuration, const Vertices* before,
-                                            const std::vector<int>& waited) {
+std::unique_ptr<JointSteps> PolicyGenerator::enter(const Vertices& configuration,
+                                                   const Vertices* before,
+                                                   const Priorities& priorities) {
   if (!isWorthAsking(configuration)) {
-    return orderByWaiting(waited, start_distances_);
+    return std::make_unique<PibtSteps>(pibt_, distance_ranking_, configuration,
+                                       orderByPriority(priorities, start_distances_));
   }
-  const PolicySteps::Entry& entry = steps_->enter(configuration, before);
-  visits_[&entry].waited = waited;
-  return orderByWaiting(waited, selfishFirst(entry.step.social.svo_deg, waited, start_distances_));
-}
-
-bool PolicyGenerator::generate(const Vertices& from, const std::vector<AgentId>& order,
-                               Vertices& to) {
-  const PolicySteps::Entry* entry = steps_->find(from);
-  const auto visit = visits_.find(entry);
-  if (visit == visits_.end() || ++visit->second.steps > patience_.steps) {
-    return pibt_.step(from, order, distance_ranking_, to);
-  }
-  policy_ranking_.listenTo(entry->step.actions, visit->second.waited);
-  return pibt_.step(from, order, policy_ranking_, to);
+  const PolicyStep& step = steps_->enter(configuration, before).step;
+  const std::vector<double> tie_breaks =
+      selfishFirst(step.social.svo_deg, priorities, start_distances_);
+  return std::make_unique<PolicyGuidedSteps>(
+      PibtSteps(pibt_, distance_ranking_, configuration, orderByPriority(priorities, tie_breaks)),
+      PolicyRanking(*problem_, settings_, step.actions, priorities, *rng_), pibt_, configuration,
+      patience_.steps);
 }
 
 bool PolicyGenerator::isWorthAsking(const Vertices& configuration) {

@@ -84,10 +84,10 @@ void ReservationTable::setClosedTo(VertexId from, VertexId to, Timestep arrival,
   word = is_closed ? word | maskOf(to) : word & ~maskOf(to);
 }
 
-// Agents that follow each other form a chain, and a move closes a ring if the agent at the head of
-// the chain that it joins enters the vertex that the move leaves. Nobody in a chain rests: the next
-// one enters its vertex.
-Timestep ReservationTable::ringClosedBy(const VertexPath& path) const {
+// Agents that follow each other form a chain, and a move closes a rotation if the agent at the head
+// of the chain that it joins enters the vertex that the move leaves. Nobody in a chain rests: the
+// next one enters its vertex.
+Timestep ReservationTable::rotationClosedBy(const VertexPath& path) const {
   if (motion_.rotations) {
     return 0;
   }

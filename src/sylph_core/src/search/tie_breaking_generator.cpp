@@ -1,57 +1,82 @@
 #include "sylph_core/search/tie_breaking_generator.hpp"
 
 #include <numeric>
+#include <vector>
 
 #include "sylph_core/grid/action.hpp"
 #include "sylph_core/social/tie_breaking.hpp"
 
 namespace sylph {
+namespace {
+
+class TieBreakingSteps : public JointSteps {
+ public:
+  TieBreakingSteps(const SearchProblem& problem, const Grid& grid, PolicyRanking ranking,
+                   const std::vector<float>& svo_deg, const Vertices& configuration)
+      : problem_(&problem),
+        grid_(&grid),
+        ranking_(ranking),
+        svo_deg_(&svo_deg),
+        configuration_(&configuration),
+        occupied_now_(static_cast<std::size_t>(problem.graph.size()), kNoAgent),
+        order_(configuration.size()) {
+    std::iota(order_.begin(), order_.end(), 0);
+    for (const AgentId agent : order_) {
+      occupied_now_[configuration[agent]] = agent;
+    }
+  }
+
+  /// By index: it is of no consequence, since everybody chooses for itself.
+  const std::vector<AgentId>& order() const override { return order_; }
+
+  bool generate(Vertices& to) override {
+    const Configuration cells = problem_->graph.toCells(*configuration_);
+    std::vector<Action> desired;
+    for (const AgentId agent : order_) {
+      const VertexId target = to[agent] != kNoVertex ? to[agent] : choose(agent);
+      desired.push_back(*actionBetween(cells[agent], problem_->graph.cellAt(target)));
+    }
+    const TieBreaking broken = breakTies(*grid_, problem_->motion, cells, desired, *svo_deg_);
+    bool is_bound_kept = true;
+    for (const AgentId agent : order_) {
+      const VertexId bound = to[agent];
+      to[agent] = problem_->graph.vertexAt(neighbor(cells[agent], broken.actions[agent]));
+      is_bound_kept = is_bound_kept && (bound == kNoVertex || bound == to[agent]);
+    }
+    return is_bound_kept;
+  }
+
+ private:
+  VertexId choose(AgentId agent) {
+    const VertexId at = (*configuration_)[agent];
+    Moves moves = movesFrom(problem_->graph, at);
+    ranking_.rank(agent, at, occupied_now_, moves);
+    return moves.targets[0];
+  }
+
+  const SearchProblem* problem_;
+  const Grid* grid_;
+  PolicyRanking ranking_;
+  const std::vector<float>* svo_deg_;
+  const Vertices* configuration_;
+  Occupants occupied_now_;
+  std::vector<AgentId> order_;
+};
+
+}  // namespace
 
 TieBreakingGenerator::TieBreakingGenerator(const SearchProblem& problem, const Grid& grid,
                                            PolicySteps& steps, const MoveSettings& settings,
                                            Rng& rng)
-    : problem_(&problem), grid_(&grid), steps_(&steps), ranking_(problem, settings, rng) {}
+    : problem_(&problem), grid_(&grid), steps_(&steps), settings_(settings), rng_(&rng) {}
 
-std::vector<AgentId> TieBreakingGenerator::order(const Vertices& configuration,
-                                                 const Vertices* before,
-                                                 const std::vector<int>& waited) {
-  step_ = &steps_->enter(configuration, before).step;
-  waited_ = waited;
-  std::vector<AgentId> order(configuration.size());
-  std::iota(order.begin(), order.end(), 0);
-  return order;
-}
-
-bool TieBreakingGenerator::generate(const Vertices& from, const std::vector<AgentId>& order,
-                                    Vertices& to) {
-  ranking_.listenTo(step_->actions, waited_);
-  ranking_.observe(from);
-  const Vertices bound = to;
-  std::vector<Action> wishes(from.size(), Action::Stay);
-  for (const AgentId agent : order) {
-    const VertexId target = bound[agent] != kNoVertex ? bound[agent] : choose(agent, from[agent]);
-    wishes[agent] =
-        *actionBetween(problem_->graph.cellAt(from[agent]), problem_->graph.cellAt(target));
-  }
-  const Configuration cells = problem_->graph.toCells(from);
-  const TieBreaking broken =
-      breakTies(*grid_, problem_->motion, cells, wishes, step_->social.svo_deg);
-  bool is_bound_kept = true;
-  for (std::size_t agent = 0; agent < from.size(); ++agent) {
-    to[agent] = problem_->graph.vertexAt(neighbor(cells[agent], broken.actions[agent]));
-    is_bound_kept = is_bound_kept && (bound[agent] == kNoVertex || bound[agent] == to[agent]);
-  }
-  return is_bound_kept;
-}
-
-VertexId TieBreakingGenerator::choose(AgentId agent, VertexId at) {
-  Moves moves;
-  for (const VertexId target : problem_->graph.neighbors(at)) {
-    moves.targets[moves.count++] = target;
-  }
-  moves.targets[moves.count++] = at;
-  ranking_.rank(agent, at, moves);
-  return moves.targets[0];
+std::unique_ptr<JointSteps> TieBreakingGenerator::enter(const Vertices& configuration,
+                                                        const Vertices* before,
+                                                        const Priorities& priorities) {
+  const PolicyStep& step = steps_->enter(configuration, before).step;
+  return std::make_unique<TieBreakingSteps>(
+      *problem_, *grid_, PolicyRanking(*problem_, settings_, step.actions, priorities, *rng_),
+      step.social.svo_deg, configuration);
 }
 
 }  // namespace sylph

@@ -166,7 +166,7 @@ TEST(ReservationTableTest, NamesTheArrivalThatClosesARing) {
     table.insert(0, {0, 0, 1});
     table.insert(1, {1, 1, 3});
     table.insert(2, {3, 3, 2});
-    EXPECT_EQ(rotations ? 0 : 2, table.ringClosedBy(last));
+    EXPECT_EQ(rotations ? 0 : 2, table.rotationClosedBy(last));
   }
 }
 

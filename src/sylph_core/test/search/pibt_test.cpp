@@ -14,7 +14,7 @@ TEST(PibtTest, PushesWhoIsInTheWay) {
   const SearchProblem problem(instance);
   Rng rng(1);
   DistanceRanking ranking(problem.distances, rng);
-  Pibt pibt(problem.graph, problem.goals, problem.distances, problem.motion);
+  Pibt pibt(problem);
   Vertices to = {kNoVertex, kNoVertex};
   ASSERT_TRUE(pibt.step(problem.starts, {0, 1}, ranking, to));
   EXPECT_EQ((Vertices{1, 2}), to);
@@ -25,7 +25,7 @@ TEST(PibtTest, KeepsToBoundAgents) {
   const SearchProblem problem(instance);
   Rng rng(1);
   DistanceRanking ranking(problem.distances, rng);
-  Pibt pibt(problem.graph, problem.goals, problem.distances, problem.motion);
+  Pibt pibt(problem);
   Vertices stays = {kNoVertex, 1};
   ASSERT_TRUE(pibt.step(problem.starts, {0, 1}, ranking, stays));
   EXPECT_EQ((Vertices{0, 1}), stays);
@@ -43,7 +43,7 @@ TEST(PibtTest, RefusesBoundRingsOnlyWithoutRotations) {
     const SearchProblem problem(instance);
     Rng rng(1);
     DistanceRanking ranking(problem.distances, rng);
-    Pibt pibt(problem.graph, problem.goals, problem.distances, problem.motion);
+    Pibt pibt(problem);
     Vertices bound = problem.goals;
     EXPECT_EQ(rotations, pibt.step(problem.starts, {0, 1, 2, 3}, ranking, bound));
     Vertices free(4, kNoVertex);

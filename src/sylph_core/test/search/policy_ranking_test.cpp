@@ -10,21 +10,24 @@
 namespace sylph {
 namespace {
 
+/// At the start.
+Occupants occupantsOf(const SearchProblem& problem) {
+  Occupants occupants(static_cast<std::size_t>(problem.graph.size()), kNoAgent);
+  for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
+    occupants[static_cast<std::size_t>(problem.starts[static_cast<std::size_t>(agent)])] = agent;
+  }
+  return occupants;
+}
+
 // One agent in the middle of a free map, its goal to the east; another one beside it, to the north.
 class PolicyRankingTest : public ::testing::Test {
  protected:
   /// Actions in the order in which the first agent tries them.
   std::vector<Action> ranked(const MoveSettings& settings) {
-    PolicyRanking ranking(problem_, settings, rng_);
-    ranking.listenTo(actions_, waited_);
-    ranking.observe(problem_.starts);
+    PolicyRanking ranking(problem_, settings, actions_, priorities_, rng_);
     const VertexId at = problem_.starts[0];
-    Moves moves;
-    for (const VertexId target : problem_.graph.neighbors(at)) {
-      moves.targets[static_cast<std::size_t>(moves.count++)] = target;
-    }
-    moves.targets[static_cast<std::size_t>(moves.count++)] = at;
-    ranking.rank(0, at, moves);
+    Moves moves = movesFrom(problem_.graph, at);
+    ranking.rank(0, at, occupantsOf(problem_), moves);
     std::vector<Action> order;
     for (int index = 0; index < moves.count; ++index) {
       const VertexId target = moves.targets[static_cast<std::size_t>(index)];
@@ -36,7 +39,7 @@ class PolicyRankingTest : public ::testing::Test {
   Instance instance_{Grid(5, 5), {{2, 2}, {1, 2}}, {{2, 4}, {0, 0}}, {}};
   SearchProblem problem_{instance_};
   AgentRows actions_ = AgentRows::Zero(2, kActionCount);
-  std::vector<int> waited_ = {0, 0};
+  Priorities priorities_ = {0, 0};
   Rng rng_{1};
 };
 
@@ -57,13 +60,12 @@ TEST_F(PolicyRankingTest, StayingIsOnlyDearOffTheGoal) {
   EXPECT_EQ(Action::Stay, ranked({0.0, 2.0, 0.0, 1.0, 1.0}).back());
   instance_.goals[0] = instance_.starts[0];
   const SearchProblem home(instance_);
-  PolicyRanking ranking(home, {0.0, 2.0, 0.0, 1.0, 1.0}, rng_);
-  ranking.listenTo(actions_, waited_);
-  ranking.observe(home.starts);
+  const MoveSettings settings{0.0, 2.0, 0.0, 1.0, 1.0};
+  PolicyRanking ranking(home, settings, actions_, priorities_, rng_);
   Moves moves;
   moves.targets = {home.graph.vertexAt({1, 2}), home.starts[0]};
   moves.count = 2;
-  ranking.rank(0, home.starts[0], moves);
+  ranking.rank(0, home.starts[0], occupantsOf(home), moves);
   EXPECT_EQ(home.starts[0], moves.targets[0]);
 }
 
@@ -82,7 +84,7 @@ TEST_F(PolicyRankingTest, WithoutDistanceTheFirstMoveIsADrawFromTheSoftmax) {
   }
 }
 
-TEST_F(PolicyRankingTest, WhoeverHasLongWaitedMakesItsNeighborsTryOtherThings) {
+TEST_F(PolicyRankingTest, HighPrioritiesMakeNeighborsTryOtherThings) {
   actions_.row(0) << 0.F, 5.F, 0.F, 0.F, 0.F;
   const auto otherChoices = [&] {
     int count = 0;
@@ -92,9 +94,9 @@ TEST_F(PolicyRankingTest, WhoeverHasLongWaitedMakesItsNeighborsTryOtherThings) {
     return count;
   };
   EXPECT_EQ(0, otherChoices());
-  waited_ = {0, 200};
+  priorities_ = {0, 200};
   EXPECT_GT(otherChoices(), 30);
-  waited_ = {200, 0};
+  priorities_ = {200, 0};
   EXPECT_GT(otherChoices(), 30);
 }
 

@@ -8,8 +8,8 @@
 
 namespace sylph {
 
-/// PIBT by distance to the goal: the generator of the planners without a network. Agents that wait
-/// equally long choose by distance, farthest first, or from the second attempt on in random order.
+/// PIBT by distance to the goal: the generator of the planners without a network. Agents of equal
+/// priority choose by distance, farthest first, or from the second attempt on in random order.
 /// @param problem, rng  must outlive the result
 std::unique_ptr<ConfigurationGenerator> makeDistanceGenerator(const SearchProblem& problem,
                                                               int attempt, Rng& rng);

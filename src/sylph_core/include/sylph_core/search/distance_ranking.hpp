@@ -12,8 +12,7 @@ class DistanceRanking : public MoveRanking {
   /// @param distances, rng  must outlive this object
   DistanceRanking(const DistanceTables& distances, Rng& rng);
 
-  void observe(const Vertices& configuration) override;
-  void rank(AgentId agent, VertexId at, Moves& moves) override;
+  void rank(AgentId agent, VertexId at, const Occupants& occupied_now, Moves& moves) override;
 
  private:
   const DistanceTables* distances_;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <deque>
+#include <memory>
 #include <unordered_map>
 #include <vector>
 
@@ -15,16 +16,20 @@ namespace sylph {
 
 /// LaCAM*: depth-first search over configurations with lazily enumerated successors.
 ///
-/// Okumura 2023, "LaCAM: Search-Based Algorithm for Quick Multi-Agent Pathfinding" and "Improving
-/// LaCAM for Scalable Eventually Optimal Multi-Agent Pathfinding".
+/// Okumura 2023, "LaCAM: Search-Based Algorithm for Quick Multi-Agent Pathfinding", Alg. 1, and
+/// "Improving LaCAM for Scalable Eventually Optimal Multi-Agent Pathfinding", Alg. 1, which adds
+/// the costs and the rewiring. Their high-level node N is Node, with N.config, N.tree, N.order and
+/// N.neigh as `configuration`, `constraint_tree`, steps->order() and `neighbors`; Open is a stack,
+/// Explored a hash map; a low-level node C is Constraint; get_new_config(N, C) is
+/// JointSteps::generate(); g and h are `cost` and `cost_to_go`.
 ///
 /// Each configuration carries a tree of constraints, each binding one more agent, in the order of
 /// the generator, to one of its moves. Before a constraint is handed to the generator its children
 /// are appended, so that in the end every legal step is at a leaf, where all agents are bound and
 /// the generator can only say whether the step is legal. Children are left out only if the agents
-/// bound so far already collide, swap or (without rotations) move round a ring, which no further
-/// binding mends. Thus the search sees every configuration that can be reached under the motion
-/// model: it finds a solution if there is one and is exhausted if there is none.
+/// bound so far already collide, swap or (where the motion model forbids it) rotate, which no
+/// further binding mends. Thus the search sees every configuration that can be reached under the
+/// motion model: it finds a solution if there is one and is exhausted if there is none.
 ///
 /// After the first solution the search goes on among the configurations that can still lead to a
 /// better one, and shortens the ways to known ones ("rewiring"). The cost it minimises is the sum
@@ -60,17 +65,17 @@ class Lacam {
 
  private:
   struct Constraint {
-    std::int32_t parent;
-    std::int32_t depth;  // number of agents bound
-    VertexId target;     // of agent order[depth - 1]
+    std::int32_t parent;  // in the tree of constraints
+    std::int32_t depth;   // number of agents bound
+    VertexId target;      // of agent order()[depth - 1]
   };
   struct Node {
     Vertices configuration;
-    std::vector<int> waited;
-    std::vector<AgentId> order;
-    std::vector<Constraint> constraints;  // a queue from next_constraint on
+    Priorities priorities;
+    std::unique_ptr<JointSteps> steps;
+    std::vector<Constraint> constraint_tree;  // a queue from next_constraint on
     std::size_t next_constraint = 0;
-    std::vector<Node*> successors;
+    std::vector<Node*> neighbors;
     Node* parent = nullptr;
     long cost = 0;        // to come
     long cost_to_go = 0;  // lower bound

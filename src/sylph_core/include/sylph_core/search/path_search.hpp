@@ -21,7 +21,7 @@ class PathSearch {
 
   /// A path from `start` at timestep 0 that arrives on `goal` for good as early as possible, and
   /// by `latest_arrival`; one of those at random.
-  /// @param table  unchanged in the end; in between, moves that close a ring are closed in it
+  /// @param table  unchanged in the end; in between, moves that close a rotation are closed in it
   /// @return empty if there is none
   VertexPath find(ReservationTable& table, VertexId start, VertexId goal, Timestep latest_arrival,
                   Rng& rng);

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <vector>
-
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/policy/network.hpp"
+#include "sylph_core/search/configuration_generator.hpp"
 #include "sylph_core/search/move_ranking.hpp"
 #include "sylph_core/search/search_problem.hpp"
 
@@ -19,42 +18,36 @@ namespace sylph {
 /// the network settles which of the equally short moves to take and overrules the distance only
 /// where it is sure.
 ///
-/// The temperature of an agent is base_temperature * clamp((waited - 20) / 60, least_heat,
-/// most_heat), where it or one beside it has been off its goal for `waited` timesteps: whoever gets
-/// nowhere tries something else, and so does whoever has to make way.
+/// The temperature of an agent is base_temperature * clamp((priority - 20) / 60, least_factor,
+/// most_factor), where `priority` is its own or that of an agent beside it, whichever is higher:
+/// whoever gets nowhere tries something else, and so does whoever has to make way.
 struct MoveSettings {
   double distance_weight = 8.0;
   double stay_penalty = 2.0;
   double base_temperature = 0.5;  ///< >= 0
-  double least_heat = 0.1;        ///< equal to most_heat: the same temperature for all
-  double most_heat = 2.0;
+  double least_factor = 0.1;      ///< equal to most_factor: the same temperature for all
+  double most_factor = 2.0;
 };
 
-/// Prefers what the policy network prefers, see MoveSettings.
+/// Prefers what the policy network prefers in one configuration, see MoveSettings.
 class PolicyRanking : public MoveRanking {
  public:
-  /// @param problem, rng  must outlive this object
-  PolicyRanking(const SearchProblem& problem, const MoveSettings& settings, Rng& rng);
+  /// All arguments by reference must outlive this object.
+  /// @param actions  n x 5 logits, in the order of Action
+  PolicyRanking(const SearchProblem& problem, const MoveSettings& settings,
+                const AgentRows& actions, const Priorities& priorities, Rng& rng);
 
-  /// What the network says in the configuration that is observed next.
-  /// @param actions  n x 5 logits; must outlive the questions, as must `waited`
-  /// @param waited   per agent: timesteps since it was last on its goal
-  void listenTo(const AgentRows& actions, const std::vector<int>& waited);
-
-  void observe(const Vertices& configuration) override;
-  void rank(AgentId agent, VertexId at, Moves& moves) override;
+  void rank(AgentId agent, VertexId at, const Occupants& occupied_now, Moves& moves) override;
 
  private:
-  double temperatureOf(AgentId agent, VertexId at) const;
+  double temperatureOf(AgentId agent, VertexId at, const Occupants& occupied_now) const;
   double drawGumbel();
 
   const SearchProblem* problem_;
-  MoveSettings settings_;
+  const MoveSettings* settings_;
+  const AgentRows* actions_;
+  const Priorities* priorities_;
   Rng* rng_;
-  const AgentRows* actions_ = nullptr;
-  const std::vector<int>* waited_ = nullptr;
-  std::vector<AgentId> occupant_;  // per vertex
-  Vertices observed_;
 };
 
 }  // namespace sylph

@@ -28,9 +28,9 @@ struct BitLayout {
 /// are no free cells or because an agent is there at t, and for each direction the cells that
 /// cannot be entered by that move between t - 1 and t, because that would be a swap.
 ///
-/// Longer rings are rare, and which move would close one depends on all agents that move in a
-/// chain. They are therefore looked for in a path that was found (ringClosedBy()), and the move is
-/// closed by hand (setClosedTo()) before the path is searched again.
+/// Longer rotations are rare, and which move would close one depends on all agents that move in a
+/// chain. They are therefore looked for in a path that was found (rotationClosedBy()), and the move
+/// is closed by hand (setClosedTo()) before the path is searched again.
 class ReservationTable {
  public:
   enum Direction { kNorth, kEast, kSouth, kWest };
@@ -63,9 +63,9 @@ class ReservationTable {
   /// Closes a move between adjacent vertices or opens it again.
   void setClosedTo(VertexId from, VertexId to, Timestep arrival, bool is_closed);
 
-  /// The first arrival with which a path closes a ring of agents that all move, those inserted and
+  /// The first arrival with which a path closes a rotation of agents, those inserted and
   /// the one on the path; 0 if there is none. With rotations there never is one.
-  Timestep ringClosedBy(const VertexPath& path) const;
+  Timestep rotationClosedBy(const VertexPath& path) const;
 
   int horizon() const { return horizon_; }
   const BitLayout& layout() const { return layout_; }

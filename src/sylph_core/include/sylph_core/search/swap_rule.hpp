@@ -13,8 +13,8 @@ namespace sylph {
 /// - `ways_on(place, back, onward)`: number of ways on from a place, without the way back and
 ///   without dead ends whose agent is home; sets `onward` to one of them
 
-/// Whether pushing the puller down the corridor brings the two no further: they meet no junction
-/// before one of them has to come back.
+/// swap_required of the paper: whether pushing the puller down the corridor brings the two no
+/// further: they meet no junction before one of them has to come back.
 template <typename ToGo, typename WaysOn>
 bool mustSwap(const ToGo& to_go, const WaysOn& ways_on, AgentId pusher, AgentId puller,
               int pusher_at, int puller_at) {
@@ -34,8 +34,8 @@ bool mustSwap(const ToGo& to_go, const WaysOn& ways_on, AgentId pusher, AgentId 
          (to_go(pusher, pusher_at) == 0 || to_go(pusher, puller_at) < to_go(pusher, pusher_at));
 }
 
-/// Whether backing out leads to a junction where the two can change places. The puller backs out
-/// in front of the pusher.
+/// swap_possible of the paper: whether backing out leads to a junction where the two can change
+/// places. The puller backs out in front of the pusher.
 template <typename WaysOn>
 bool canSwap(const WaysOn& ways_on, int pusher_at, int puller_at) {
   const int begin = pusher_at;

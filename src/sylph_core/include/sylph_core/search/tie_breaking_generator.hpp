@@ -1,6 +1,6 @@
 #pragma once
 
-#include <vector>
+#include <memory>
 
 #include "sylph_core/grid/grid.hpp"
 #include "sylph_core/grid/rng.hpp"
@@ -20,21 +20,15 @@ class TieBreakingGenerator : public ConfigurationGenerator {
   TieBreakingGenerator(const SearchProblem& problem, const Grid& grid, PolicySteps& steps,
                        const MoveSettings& settings, Rng& rng);
 
-  /// By index: the order is of no consequence.
-  std::vector<AgentId> order(const Vertices& configuration, const Vertices* before,
-                             const std::vector<int>& waited) override;
-  /// From the configuration that order() was last asked about.
-  bool generate(const Vertices& from, const std::vector<AgentId>& order, Vertices& to) override;
+  std::unique_ptr<JointSteps> enter(const Vertices& configuration, const Vertices* before,
+                                    const Priorities& priorities) override;
 
  private:
-  VertexId choose(AgentId agent, VertexId at);
-
   const SearchProblem* problem_;
   const Grid* grid_;
   PolicySteps* steps_;
-  PolicyRanking ranking_;
-  const PolicyStep* step_ = nullptr;
-  std::vector<int> waited_;
+  MoveSettings settings_;
+  Rng* rng_;
 };
 
 }  // namespace sylph
