@@ -12,20 +12,13 @@
 namespace sylph {
 namespace {
 
-constexpr double kTurnsPerLimit = 50.0;
-constexpr double kLongestTurn_s = 0.5;
-// As in simulated annealing the large-neighbourhood search lets some losses pass, fewer and fewer
-// towards the end; but not while there is enough to be had without, more than this share a turn.
-constexpr double kFirstTemperature = 1.0;
-constexpr double kPlentifulGain = 0.001;
-constexpr double kShareOfNewStarts = 0.15;  // of the time, at most
-
 /// One large-neighbourhood search per thread.
 class Workers {
  public:
-  Workers(const SearchProblem& problem, const std::vector<Vertices>& plan, int threads, Rng& rng) {
+  Workers(const SearchProblem& problem, const std::vector<Vertices>& plan,
+          const ImprovementSettings& settings, int threads, Rng& rng) {
     for (int thread = 0; thread < threads; ++thread) {
-      searches_.push_back(std::make_unique<LargeNeighborhoodSearch>(problem, plan));
+      searches_.push_back(std::make_unique<LargeNeighborhoodSearch>(problem, plan, settings));
       rngs_.emplace_back(thread == 0 ? rng : Rng(rng()));
     }
   }
@@ -65,21 +58,23 @@ class Workers {
 /// much it can see of the configurations of that many agents.
 class Rewiring {
  public:
-  Rewiring(const SearchProblem& problem, const GeneratorFactory& make_generator, Rng& rng)
+  Rewiring(const SearchProblem& problem, const GeneratorFactory& make_generator,
+           const ImprovementSettings& settings, Rng& rng)
       : generator_(make_generator(problem, 0, rng)),
         lacam_(problem, *generator_, rng),
-        agents_(problem.agentCount()) {}
+        agents_(problem.agentCount()),
+        share_(agents_ <= settings.few_agents ? settings.lacam_share_of_few : settings.lacam_share),
+        most_vertices_kept_(settings.most_vertices_kept) {}
 
   enum class Result { Nothing, Better, Optimal };
 
   /// @param plan, cost  the best plan so far and its sum of costs
   Result run(const std::vector<Vertices>& plan, long cost, double turn_s) {
-    if (is_exhausted_ || lacam_.nodeCount() * agents_ > kMostVerticesKept) {
+    if (is_exhausted_ || lacam_.nodeCount() * agents_ > most_vertices_kept_) {
       return Result::Nothing;
     }
     lacam_.insert(plan);
-    const double share = agents_ <= kFewAgents ? kShareOfFew : kShareOfMany;
-    const Lacam::Status status = lacam_.search(Deadline(share * turn_s), kNoStepLimit);
+    const Lacam::Status status = lacam_.search(Deadline(share_ * turn_s), kNoStepLimit);
     is_exhausted_ = status == Lacam::Status::Exhausted;
     // Exhausted, the cost is least in LaCAM's measure, which is at most the sum of costs.
     return is_exhausted_ && lacam_.cost() == cost ? Result::Optimal
@@ -90,30 +85,29 @@ class Rewiring {
   const Lacam& lacam() const { return lacam_; }
 
  private:
-  static constexpr int kFewAgents = 10;
-  static constexpr double kShareOfFew = 0.5;
-  static constexpr double kShareOfMany = 0.05;
-  static constexpr long kMostVerticesKept = 30'000'000;
   static constexpr long kNoStepLimit = -1;
 
   std::unique_ptr<ConfigurationGenerator> generator_;
   Lacam lacam_;
   long agents_;
+  double share_;
+  long most_vertices_kept_;
   bool is_exhausted_ = false;
 };
 
 /// Searches anew from configurations of a plan, its start and others, as long as that now and then
 /// finds a better way to the goals. Where agents are much in each other's way, depth-first search
 /// may go round in circles for long, and no small neighbourhood mends that.
-class NewStarts {
+class Restarts {
  public:
-  NewStarts(const SearchProblem& problem, const GeneratorFactory& make_generator, Rng& rng)
-      : problem_(&problem), make_generator_(&make_generator), rng_(&rng) {}
+  Restarts(const SearchProblem& problem, const GeneratorFactory& make_generator,
+           const ImprovementSettings& settings, Rng& rng)
+      : problem_(&problem), make_generator_(&make_generator), settings_(&settings), rng_(&rng) {}
 
   /// @return the plan, or a better one
   std::vector<Vertices> run(std::vector<Vertices> plan, const Deadline& deadline) {
     long best_cost = sumOfCosts(pathsOf(plan));
-    while (failures_ < kMostFailures && !deadline.isOver()) {
+    while (failures_ < settings_->most_failed_restarts && !deadline.isOver()) {
       std::vector<Vertices> candidate = searchFrom(plan, drawIndex(*rng_, plan.size()), deadline);
       const long cost = sumOfCosts(pathsOf(candidate));
       if (candidate.back() == problem_->goals && cost < best_cost) {
@@ -128,15 +122,12 @@ class NewStarts {
   }
 
  private:
-  static constexpr int kMostFailures = 30;
-  static constexpr long kStepsPerStepOfPlan = 2;
-
   std::vector<Vertices> searchFrom(const std::vector<Vertices>& plan, std::size_t timestep,
                                    const Deadline& deadline) {
     const std::size_t begin = ++attempts_ % 3 == 0 ? 0 : timestep;
     const auto generator = (*make_generator_)(*problem_, attempts_, *rng_);
     Lacam lacam(*problem_, plan[begin], *generator, *rng_);
-    lacam.search(deadline, kStepsPerStepOfPlan * static_cast<long>(plan.size() - begin));
+    lacam.search(deadline, settings_->steps_per_step * static_cast<long>(plan.size() - begin));
     std::vector<Vertices> candidate(plan.begin(), plan.begin() + static_cast<long>(begin));
     const std::vector<Vertices> rest = lacam.plan();
     candidate.insert(candidate.end(), rest.begin(), rest.end());
@@ -145,6 +136,7 @@ class NewStarts {
 
   const SearchProblem* problem_;
   const GeneratorFactory* make_generator_;
+  const ImprovementSettings* settings_;
   Rng* rng_;
   int attempts_ = 0;
   int failures_ = 0;
@@ -154,29 +146,30 @@ class NewStarts {
 
 Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
                     const GeneratorFactory& make_generator, int threads, const Deadline& deadline,
-                    Rng& rng) {
+                    Rng& rng, const ImprovementSettings& settings) {
   problem.distances.computeAll();
   const double time_s = deadline.remaining();
-  const double turn_s = std::min(time_s / kTurnsPerLimit, kLongestTurn_s);
+  const double turn_s = std::min(time_s / settings.turns, settings.longest_turn_s);
   const long lower_bound = problem.distances.sum(problem.starts);
   Improvement improvement;
   if (sumOfCosts(pathsOf(plan)) == lower_bound) {
     improvement.plan = std::move(plan);
     return improvement;
   }
-  plan = NewStarts(problem, make_generator, rng)
-             .run(std::move(plan), Deadline(kShareOfNewStarts * time_s));
-  Workers workers(problem, plan, threads, rng);
-  Rewiring rewiring(problem, make_generator, rng);
+  plan = Restarts(problem, make_generator, settings, rng)
+             .run(std::move(plan), Deadline(settings.restart_share * time_s));
+  Workers workers(problem, plan, settings, threads, rng);
+  Rewiring rewiring(problem, make_generator, settings, rng);
   bool is_descending = true;
   while (workers.best().cost() > lower_bound && !deadline.isOver()) {
     const double cooling = deadline.remaining() / time_s;
     const long cost_before = workers.best().cost();
     workers.run(Deadline(std::min(turn_s, deadline.remaining())),
-                is_descending ? 0.0 : kFirstTemperature * cooling);
+                is_descending ? 0.0 : settings.first_temperature * cooling);
     const LargeNeighborhoodSearch& best = workers.best();
-    is_descending = is_descending && static_cast<double>(best.cost()) <
-                                         static_cast<double>(cost_before) * (1.0 - kPlentifulGain);
+    is_descending =
+        is_descending && static_cast<double>(best.cost()) <
+                             static_cast<double>(cost_before) * (1.0 - settings.plentiful_gain);
     const auto result =
         rewiring.run(best.plan(), best.cost(), std::min(turn_s, deadline.remaining()));
     if (result == Rewiring::Result::Optimal) {

@@ -1,17 +1,11 @@
 #include "sylph_core/search/large_neighborhood_search.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 namespace sylph {
 namespace {
-
-constexpr std::array<int, 5> kSizes = {2, 4, 8, 16, 32};  // agents in a neighbourhood
-constexpr int kIterationsBetweenShrinks = 256;
-constexpr double kForgetting = 0.01;
-constexpr double kExploration = 0.2;  // share of neighbourhoods drawn without regard to gains
 
 // Room for agents to arrive somewhat later than the last one does now.
 int horizonFor(int makespan) {
@@ -21,16 +15,18 @@ int horizonFor(int makespan) {
 }  // namespace
 
 LargeNeighborhoodSearch::LargeNeighborhoodSearch(const SearchProblem& problem,
-                                                 const std::vector<Vertices>& plan)
+                                                 const std::vector<Vertices>& plan,
+                                                 const ImprovementSettings& settings)
     : problem_(&problem),
+      settings_(settings),
       table_(problem.graph, problem.motion, problem.agentCount(), 1),
       search_(problem.graph),
-      neighborhoods_(problem.graph, problem.goals, problem.distances, table_),
+      neighborhoods_(problem, table_, settings),
       lower_bound_(problem.distances.sum(problem.starts)) {
   const int agents = problem.agentCount();
   for (const NeighborhoodKind kind : kNeighborhoodKinds) {
-    for (const int size : kSizes) {
-      if (size <= std::max(agents, kSizes.front())) {
+    for (const int size : settings.neighborhood_sizes) {
+      if (size <= std::max(agents, settings.neighborhood_sizes.front())) {
         arms_.push_back({kind, std::min(size, agents)});
       }
     }
@@ -61,18 +57,19 @@ void LargeNeighborhoodSearch::run(const Deadline& deadline, double temperature, 
     const long cost_before = cost_;
     replan(neighborhoods_.pick(arm.kind, arm.size, rng), allowed_loss, rng);
     keepIfBest();
-    if (iteration % kIterationsBetweenShrinks == 0) {
+    if (iteration % settings_.neighborhoods_between_shrinks == 0) {
       shrinkTable();
     }
     const double now_s = deadline.elapsed();
     const auto gain = static_cast<double>(std::max(0L, cost_before - cost_));
-    arm.gain_per_s += kForgetting * (gain / std::max(now_s - before_s, 1e-6) - arm.gain_per_s);
+    arm.gain_per_s +=
+        settings_.reaction_factor * (gain / std::max(now_s - before_s, 1e-6) - arm.gain_per_s);
     before_s = now_s;
   }
 }
 
 std::size_t LargeNeighborhoodSearch::drawArm(Rng& rng) const {
-  if (drawFraction(rng) < kExploration) {
+  if (drawFraction(rng) < settings_.exploration) {
     return drawIndex(rng, arms_.size());
   }
   return drawByWeight(rng, arms_.size(),

@@ -12,14 +12,14 @@ int drawBelow(int bound, Rng& rng) {
 
 }  // namespace
 
-Neighborhoods::Neighborhoods(const Graph& graph, const Vertices& goals,
-                             const DistanceTables& distances, const ReservationTable& table)
-    : graph_(&graph),
-      goals_(goals),
-      distances_(&distances),
+Neighborhoods::Neighborhoods(const SearchProblem& problem, const ReservationTable& table,
+                             const ImprovementSettings& settings)
+    : problem_(&problem),
       table_(&table),
-      is_picked_(goals.size(), false),
-      is_seen_(static_cast<std::size_t>(graph.size()), false) {}
+      walks_(settings.walks),
+      jam_reach_(settings.jam_reach),
+      is_picked_(problem.goals.size(), false),
+      is_seen_(static_cast<std::size_t>(problem.graph.size()), false) {}
 
 std::vector<AgentId> Neighborhoods::pick(NeighborhoodKind kind, int size, Rng& rng) {
   beginPick();
@@ -52,11 +52,11 @@ void Neighborhoods::add(AgentId agent) {
 
 int Neighborhoods::delayOf(AgentId agent) const {
   const VertexPath& path = table_->path(agent);
-  return static_cast<int>(path.size()) - 1 - distances_->get(agent, path.front());
+  return static_cast<int>(path.size()) - 1 - problem_->distances.get(agent, path.front());
 }
 
 std::vector<AgentId> Neighborhoods::pickRandom(int size, Rng& rng) const {
-  std::vector<AgentId> agents(goals_.size());
+  std::vector<AgentId> agents(problem_->goals.size());
   std::iota(agents.begin(), agents.end(), 0);
   for (int index = 0; index < size; ++index) {
     std::swap(agents[index], agents[index + drawBelow(agentCount() - index, rng)]);
@@ -67,15 +67,15 @@ std::vector<AgentId> Neighborhoods::pickRandom(int size, Rng& rng) const {
 
 // An agent with probability in proportion to its delay.
 AgentId Neighborhoods::drawDelayedAgent(Rng& rng) const {
-  return static_cast<AgentId>(drawByWeight(
-      rng, goals_.size(), [&](std::size_t agent) { return delayOf(static_cast<AgentId>(agent)); }));
+  return static_cast<AgentId>(drawByWeight(rng, problem_->goals.size(), [&](std::size_t agent) {
+    return delayOf(static_cast<AgentId>(agent));
+  }));
 }
 
 std::vector<AgentId> Neighborhoods::pickDelayed(int size, Rng& rng) {
-  constexpr int kWalks = 10;
   AgentId agent = drawDelayedAgent(rng);
   add(agent);
-  for (int walks = 0; walks < kWalks && !isFull(size); ++walks) {
+  for (int walks = 0; walks < walks_ && !isFull(size); ++walks) {
     walk(agent, size, rng);
     agent = picked_[drawBelow(static_cast<int>(picked_.size()), rng)];
   }
@@ -96,12 +96,12 @@ void Neighborhoods::walk(AgentId agent, int size, Rng& rng) {
     std::array<VertexId, 5> shorter{};
     int count = 0;
     const auto consider = [&](VertexId target) {
-      if (timestep + 1 + distances_->get(agent, target) < cost) {
+      if (timestep + 1 + problem_->distances.get(agent, target) < cost) {
         shorter[count++] = target;
       }
     };
     consider(vertex);
-    for (const VertexId target : graph_->neighbors(vertex)) {
+    for (const VertexId target : problem_->graph.neighbors(vertex)) {
       consider(target);
     }
     if (count == 0) {
@@ -119,19 +119,14 @@ void Neighborhoods::walk(AgentId agent, int size, Rng& rng) {
   }
 }
 
-std::vector<AgentId> Neighborhoods::pickCrossing(int size, Rng& rng) {
-  const AgentId around = drawBelow(agentCount(), rng);
-  const VertexPath& path = table_->path(around);
-  frontier_ = {path[drawBelow(static_cast<int>(path.size()), rng)]};
-  is_seen_[frontier_.front()] = true;
-  const Timestep horizon = table_->horizon();
+template <typename AddVisitors>
+void Neighborhoods::pickAround(VertexId center, int size, AddVisitors addVisitors) {
+  frontier_ = {center};
+  is_seen_[center] = true;
   for (std::size_t next = 0; next < frontier_.size() && !isFull(size); ++next) {
     const VertexId vertex = frontier_[next];
-    const Timestep begin = drawBelow(horizon + 1, rng);
-    for (Timestep offset = 0; offset <= horizon && !isFull(size); ++offset) {
-      add(table_->occupant(vertex, (begin + offset) % (horizon + 1)));
-    }
-    for (const VertexId neighbor : graph_->neighbors(vertex)) {
+    addVisitors(vertex);
+    for (const VertexId neighbor : problem_->graph.neighbors(vertex)) {
       if (!is_seen_[neighbor]) {
         is_seen_[neighbor] = true;
         frontier_.push_back(neighbor);
@@ -141,6 +136,18 @@ std::vector<AgentId> Neighborhoods::pickCrossing(int size, Rng& rng) {
   for (const VertexId vertex : frontier_) {
     is_seen_[vertex] = false;
   }
+}
+
+std::vector<AgentId> Neighborhoods::pickCrossing(int size, Rng& rng) {
+  const VertexPath& path = table_->path(drawBelow(agentCount(), rng));
+  const VertexId center = path[drawBelow(static_cast<int>(path.size()), rng)];
+  const Timestep horizon = table_->horizon();
+  pickAround(center, size, [&](VertexId vertex) {
+    const Timestep begin = drawBelow(horizon + 1, rng);
+    for (Timestep offset = 0; offset <= horizon && !isFull(size); ++offset) {
+      add(table_->occupant(vertex, (begin + offset) % (horizon + 1)));
+    }
+  });
   return picked_;
 }
 
@@ -151,29 +158,17 @@ std::vector<AgentId> Neighborhoods::pickJam(int size, Rng& rng) {
   Timestep center = drawBelow(static_cast<int>(path.size()), rng);
   // On to the next step that brings the agent no nearer to its goal.
   while (center + 1 < static_cast<Timestep>(path.size()) &&
-         distances_->get(delayed, path[center + 1]) < distances_->get(delayed, path[center])) {
+         problem_->distances.get(delayed, path[center + 1]) <
+             problem_->distances.get(delayed, path[center])) {
     ++center;
   }
-  frontier_ = {path[center]};
-  is_seen_[frontier_.front()] = true;
-  constexpr Timestep kReach = 3;
-  const Timestep first = std::max(0, center - kReach);
-  const Timestep last = std::min(table_->horizon(), center + kReach);
-  for (std::size_t next = 0; next < frontier_.size() && !isFull(size); ++next) {
-    const VertexId vertex = frontier_[next];
+  const Timestep first = std::max(0, center - jam_reach_);
+  const Timestep last = std::min(table_->horizon(), center + jam_reach_);
+  pickAround(path[center], size, [&](VertexId vertex) {
     for (Timestep timestep = first; timestep <= last && !isFull(size); ++timestep) {
       add(table_->occupant(vertex, timestep));
     }
-    for (const VertexId neighbor : graph_->neighbors(vertex)) {
-      if (!is_seen_[neighbor]) {
-        is_seen_[neighbor] = true;
-        frontier_.push_back(neighbor);
-      }
-    }
-  }
-  for (const VertexId vertex : frontier_) {
-    is_seen_[vertex] = false;
-  }
+  });
   return picked_;
 }
 

@@ -71,7 +71,7 @@ TEST(NeighborhoodsTest, EveryKindPicksDifferentAgentsUpToTheSize) {
   for (AgentId agent = 0; agent < instance.agentCount(); ++agent) {
     table.insert(agent, paths[agent]);
   }
-  Neighborhoods neighborhoods(problem.graph, problem.goals, problem.distances, table);
+  Neighborhoods neighborhoods(problem, table, ImprovementSettings());
   for (const NeighborhoodKind kind : kNeighborhoodKinds) {
     for (int size = 1; size <= instance.agentCount(); ++size) {
       const std::vector<AgentId> agents = neighborhoods.pick(kind, size, rng);

@@ -6,6 +6,7 @@
 #include "sylph_core/planners/generator_factory.hpp"
 #include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/graph.hpp"
+#include "sylph_core/search/improvement_settings.hpp"
 #include "sylph_core/search/search_problem.hpp"
 
 namespace sylph {
@@ -18,8 +19,8 @@ struct Improvement {
 
 /// Lowers the sum of costs of a solution until the time is up or it is known to be the least.
 ///
-/// First LaCAM starts anew from configurations of the plan with other orders of the agents, while
-/// that helps. Then, in turns: large-neighbourhood search, which does most of the work, and LaCAM*,
+/// First LaCAM restarts from configurations of the plan with other orders of the agents, while that
+/// helps. Then, in turns: large-neighbourhood search, which does most of the work, and LaCAM*,
 /// whose known configurations take in each better plan and rewire it; on small instances LaCAM*
 /// sees everything and proves the optimum. With more than one thread, as many large-neighbourhood
 /// searches run at once with different random numbers and go on from the best of their solutions
@@ -27,6 +28,6 @@ struct Improvement {
 /// @param plan  a legal plan that ends on the goals
 Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
                     const GeneratorFactory& make_generator, int threads, const Deadline& deadline,
-                    Rng& rng);
+                    Rng& rng, const ImprovementSettings& settings = {});
 
 }  // namespace sylph

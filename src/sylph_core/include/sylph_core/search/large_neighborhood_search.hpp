@@ -4,6 +4,7 @@
 
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/search/deadline.hpp"
+#include "sylph_core/search/improvement_settings.hpp"
 #include "sylph_core/search/neighborhoods.hpp"
 #include "sylph_core/search/path_search.hpp"
 #include "sylph_core/search/paths.hpp"
@@ -22,7 +23,8 @@ class LargeNeighborhoodSearch {
  public:
   /// @param plan     a legal plan that ends on the goals
   /// @param problem  must outlive this object; its distances are all computed
-  LargeNeighborhoodSearch(const SearchProblem& problem, const std::vector<Vertices>& plan);
+  LargeNeighborhoodSearch(const SearchProblem& problem, const std::vector<Vertices>& plan,
+                          const ImprovementSettings& settings = {});
 
   // The neighbourhoods refer to the table.
   LargeNeighborhoodSearch(const LargeNeighborhoodSearch&) = delete;
@@ -62,6 +64,7 @@ class LargeNeighborhoodSearch {
   }
 
   const SearchProblem* problem_;
+  ImprovementSettings settings_;
   ReservationTable table_;
   PathSearch search_;
   Neighborhoods neighborhoods_;

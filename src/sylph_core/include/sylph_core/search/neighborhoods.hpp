@@ -4,9 +4,10 @@
 #include <vector>
 
 #include "sylph_core/grid/rng.hpp"
-#include "sylph_core/search/distance_tables.hpp"
 #include "sylph_core/search/graph.hpp"
+#include "sylph_core/search/improvement_settings.hpp"
 #include "sylph_core/search/reservation_table.hpp"
+#include "sylph_core/search/search_problem.hpp"
 
 namespace sylph {
 
@@ -28,9 +29,9 @@ constexpr std::array<NeighborhoodKind, 4> kNeighborhoodKinds = {
 /// three kinds.
 class Neighborhoods {
  public:
-  /// All arguments by reference must outlive this object.
-  Neighborhoods(const Graph& graph, const Vertices& goals, const DistanceTables& distances,
-                const ReservationTable& table);
+  /// @param problem, table  must outlive this object
+  Neighborhoods(const SearchProblem& problem, const ReservationTable& table,
+                const ImprovementSettings& settings);
 
   /// @param size  > 0, at most the number of agents
   /// @return at most `size` different agents, one at least
@@ -46,16 +47,21 @@ class Neighborhoods {
   void walk(AgentId agent, int size, Rng& rng);
   void beginPick();
   void add(AgentId agent);
-  int agentCount() const { return static_cast<int>(goals_.size()); }
+  int agentCount() const { return problem_->agentCount(); }
   bool isFull(int size) const { return static_cast<int>(picked_.size()) >= size; }
 
-  const Graph* graph_;
-  Vertices goals_;
-  const DistanceTables* distances_;
+  /// Picks the agents that pass `center` or what is around it, nearest first.
+  /// @param addVisitors  adds those that pass a vertex in time
+  template <typename AddVisitors>
+  void pickAround(VertexId center, int size, AddVisitors addVisitors);
+
+  const SearchProblem* problem_;
   const ReservationTable* table_;
+  int walks_;
+  Timestep jam_reach_;
   std::vector<AgentId> picked_;
   std::vector<bool> is_picked_;
-  std::vector<VertexId> frontier_;
+  std::vector<VertexId> frontier_;  // scratch of pickAround()
   std::vector<bool> is_seen_;
 };
 

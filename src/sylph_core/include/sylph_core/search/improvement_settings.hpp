@@ -1,0 +1,47 @@
+#pragma once
+
+#include <array>
+
+namespace sylph {
+
+/// How improvement divides its time and what its searches go by. Where a value was measured the
+/// commit that brought it in says on what; "by judgement" tells that no other has been tried.
+struct ImprovementSettings {
+  // Restarts from configurations of the plan, before all else.
+  /// Of the time, at most. Mazes with 128 agents: 5.30 -> 4.43 of the lower bound in 4 s.
+  double restart_share = 0.15;
+  int most_failed_restarts = 30;  ///< in a row, then restarts end; by judgement
+  /// Most calls of the generator per step that is left of the plan: a way twice as long as the one
+  /// known is no better one.
+  long steps_per_step = 2;
+
+  // Turns of large-neighbourhood search and LaCAM*.
+  /// Turns in the time, so that threads exchange their plans often; by judgement.
+  double turns = 50.0;
+  double longest_turn_s = 0.5;  ///< [s], so that a long limit has more of them; by judgement
+
+  // LaCAM* beside large-neighbourhood search.
+  int few_agents = 10;  ///< so many can be searched exhaustively: lab instances are proved optimal
+  double lacam_share_of_few = 0.5;  ///< of a turn, with few agents; by judgement
+  /// With more agents: 1.37 -> 1.31 of the lower bound in half the time, random maps with 300
+  /// agents, along with faster neighbourhoods.
+  double lacam_share = 0.05;
+  long most_vertices_kept = 30'000'000;  ///< configurations times agents: about 1 GB of memory
+
+  // Large-neighbourhood search.
+  /// Loss in cost accepted on average at the beginning, falling linearly to 0 at the end as in
+  /// simulated annealing; by judgement: the least loss there is.
+  double first_temperature = 1.0;
+  /// Losses are accepted from the first turn on that gained less than this share of the cost: until
+  /// then there is enough to be had without.
+  double plentiful_gain = 0.001;
+  /// Agents in a neighbourhood. Li et al. 2021 compare 2 to 16; 32 pays on crowded maps.
+  std::array<int, 5> neighborhood_sizes = {2, 4, 8, 16, 32};
+  double exploration = 0.2;       ///< share of neighbourhoods drawn without regard to gains
+  double reaction_factor = 0.01;  ///< weight of the last gain in its mean; as Li et al. 2021
+  int walks = 10;                 ///< most walks for one neighbourhood; as Li et al. 2021
+  int jam_reach = 3;              ///< timesteps before and after a jam that belong to it
+  int neighborhoods_between_shrinks = 256;  ///< how often the table may get shorter
+};
+
+}  // namespace sylph
