@@ -30,9 +30,6 @@ class Crowd {
       : instance_(randomInstance(randomMap(RandomMapSpec(), rng_), agents, {}, rng_)),
         problem_(instance_),
         pibt_(problem_) {
-    for (const Cell& goal : instance_.goals) {
-      distances_.emplace_back(instance_.grid, goal);
-    }
     const AgentRows indifferent = AgentRows::Zero(agents, kActionCount);
     for (int timestep = 0; timestep < kTimesteps; ++timestep) {
       cells_.push_back(problem_.graph.toCells(vertices_));
@@ -41,7 +38,7 @@ class Crowd {
   }
 
   const Instance& instance() const { return instance_; }
-  const std::vector<DistanceField>& distances() const { return distances_; }
+  const std::vector<DistanceField>& distances() const { return problem_.distances.fields(); }
   /// Configurations, one timestep after the other.
   const std::vector<Configuration>& cells() const { return cells_; }
 
@@ -63,7 +60,6 @@ class Crowd {
   Vertices vertices_ = problem_.starts;
   Priorities priorities_ = Priorities(vertices_.size(), 1);
   std::vector<double> tie_breaks_ = std::vector<double>(vertices_.size(), 0.0);
-  std::vector<DistanceField> distances_;
   std::vector<Configuration> cells_;
 };
 
@@ -133,8 +129,8 @@ void jointStep(benchmark::State& state) {
 
 void wholeStep(benchmark::State& state) {
   const Crowd crowd(static_cast<int>(state.range(0)));
-  PolicyRollout rollout(defaultPolicy(), crowd.instance().grid, crowd.instance().goals,
-                        SvoChoice::Mean, static_cast<int>(state.range(1)));
+  PolicyRollout rollout(defaultPolicy(), crowd.instance().grid, crowd.distances(), SvoChoice::Mean,
+                        static_cast<int>(state.range(1)));
   Rng rng(1);
   PolicyStep step = rollout.nothingKnown();
   std::size_t timestep = 0;

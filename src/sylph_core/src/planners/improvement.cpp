@@ -147,7 +147,7 @@ class Restarts {
 Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
                     const GeneratorFactory& make_generator, int threads, const Deadline& deadline,
                     Rng& rng, const ImprovementSettings& settings) {
-  problem.distances.computeAll();
+  problem.distances.completeAll();
   const double time_s = deadline.remaining();
   const double turn_s = std::min(time_s / settings.turns, settings.longest_turn_s);
   const long lower_bound = problem.distances.sum(problem.starts);

@@ -21,7 +21,7 @@ class PolicyGuide : public Guide {
         problem_(&problem),
         grid_(&instance.grid),
         rng_(&rng),
-        rollout_(*policy_, instance.grid, instance.goals, settings.svo_choice, threads),
+        rollout_(*policy_, instance.grid, problem.distances.fields(), settings.svo_choice, threads),
         steps_(rollout_, problem.graph, rng) {}
 
   std::unique_ptr<ConfigurationGenerator> makeGenerator() override {

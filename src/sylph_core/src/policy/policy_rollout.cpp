@@ -45,44 +45,45 @@ void makeMostProsocial(Row&& probabilities) {
   probabilities(kMostProsocialLevel) = 1.F;
 }
 
-std::vector<DistanceField> distancesTo(const Configuration& goals, const Grid& grid) {
-  std::vector<DistanceField> distances;
-  distances.reserve(goals.size());
-  for (const Cell& goal : goals) {
-    distances.emplace_back(grid, goal);
+Configuration goalsOf(const std::vector<DistanceField>& distances) {
+  Configuration goals;
+  goals.reserve(distances.size());
+  for (const DistanceField& distance : distances) {
+    goals.push_back(distance.goal());
   }
-  return distances;
+  return goals;
 }
 
 }  // namespace
 
-PolicyRollout::PolicyRollout(const Policy& policy, const Grid& grid, const Configuration& goals,
-                             SvoChoice svo_choice, int threads)
+PolicyRollout::PolicyRollout(const Policy& policy, const Grid& grid,
+                             const std::vector<DistanceField>& distances, SvoChoice svo_choice,
+                             int threads)
     : policy_(&policy),
       svo_choice_(svo_choice),
-      threads_(std::clamp(static_cast<int>(goals.size()) / kFewestAgentsOfThread, 1, threads)),
-      distances_(distancesTo(goals, grid)),
-      encoder_(grid, distances_),
+      threads_(std::clamp(static_cast<int>(distances.size()) / kFewestAgentsOfThread, 1, threads)),
+      distances_(&distances),
+      encoder_(grid, distances),
       partners_(
           grid,
-          [this](AgentId agent, const Cell& cell) {
-            return distances_[static_cast<std::size_t>(agent)].at(cell);
+          [&distances](AgentId agent, const Cell& cell) {
+            return distances[static_cast<std::size_t>(agent)].at(cell);
           },
-          goals) {}  // anywhere: follow() tells where the agents are
+          goalsOf(distances)) {}  // anywhere: follow() tells where the agents are
 
 PolicyStep PolicyRollout::nothingKnown() const {
   PolicyStep step;
-  step.svo = AgentRows::Constant(static_cast<Eigen::Index>(distances_.size()), kSvoLevelCount,
+  step.svo = AgentRows::Constant(static_cast<Eigen::Index>(distances_->size()), kSvoLevelCount,
                                  1.F / kSvoLevelCount);
-  step.social.svo_deg.assign(distances_.size(), meanAngle(step.svo.data()));
-  step.social.partners.resize(distances_.size());
+  step.social.svo_deg.assign(distances_->size(), meanAngle(step.svo.data()));
+  step.social.partners.resize(distances_->size());
   std::iota(step.social.partners.begin(), step.social.partners.end(), 0);
   return step;
 }
 
 PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& from,
                                  const Configuration& to, Rng& rng) {
-  const std::size_t count = distances_.size();
+  const std::size_t count = distances_->size();
   const auto rows = static_cast<Eigen::Index>(count);
   if (from.size() != count || to.size() != count || before.svo.rows() != rows) {
     throw std::invalid_argument("a step of " + std::to_string(to.size()) + " agents: must be " +
@@ -93,7 +94,7 @@ PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& 
   input.svo = before.svo;
   for (std::size_t agent = 0; agent < count; ++agent) {
     states.last_moves.push_back(actionBetween(from[agent], to[agent]).value_or(Action::Stay));
-    if (to[agent] == distances_[agent].goal()) {
+    if (to[agent] == (*distances_)[agent].goal()) {
       states.svo_deg[agent] = static_cast<float>(svoOfLevel(kMostProsocialLevel));
       makeMostProsocial(input.svo.row(static_cast<Eigen::Index>(agent)));
     }
@@ -106,7 +107,7 @@ PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& 
 }
 
 PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, Rng& rng) {
-  const std::size_t count = distances_.size();
+  const std::size_t count = distances_->size();
   const auto rows = static_cast<Eigen::Index>(count);
   encoder_.setStates(states);
   input.views.resize(rows, kObservationSize);
@@ -125,7 +126,7 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, Rng& 
   step.social.partners = std::move(input.partners);
   for (Eigen::Index agent = 0; agent < rows; ++agent) {
     if (states.cells[static_cast<std::size_t>(agent)] ==
-        distances_[static_cast<std::size_t>(agent)].goal()) {
+        (*distances_)[static_cast<std::size_t>(agent)].goal()) {
       makeMostProsocial(step.svo.row(agent));
     }
     const float* probabilities = step.svo.row(agent).data();

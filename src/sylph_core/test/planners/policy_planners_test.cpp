@@ -37,10 +37,7 @@ std::vector<Grid> oneMapOfEachFamily(Rng& rng) {
 /// One partner and one SVO per agent and step, as the plan shows where agents are.
 void expectWellFormed(const Instance& instance, const PlanningResult& result) {
   ASSERT_EQ(result.plan.size() - 1, result.social.size());
-  std::vector<DistanceField> distances;
-  for (const Cell& goal : instance.goals) {
-    distances.emplace_back(instance.grid, goal);
-  }
+  const std::vector<DistanceField> distances = distancesTo(instance.goals, instance.grid);
   const auto distance = [&](AgentId agent, const Cell& cell) {
     return distances[static_cast<std::size_t>(agent)].at(cell);
   };
@@ -118,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(All, PolicyPlannersTest, ::testing::ValuesIn(kPolicyPla
 /// LaCAM by the policy alone, without the planner's search by distance.
 Lacam::Status searchByPolicy(const Instance& instance, const Policy& policy, Rng& rng) {
   const SearchProblem problem(instance);
-  PolicyRollout rollout(policy, instance.grid, instance.goals, SvoChoice::Mean, 1);
+  PolicyRollout rollout(policy, instance.grid, problem.distances.fields(), SvoChoice::Mean, 1);
   PolicySteps steps(rollout, problem.graph, rng);
   PolicyGenerator generator(problem, steps, MoveSettings(), PolicyPatience(), rng);
   Lacam lacam(problem, generator, rng);

@@ -16,7 +16,7 @@ namespace {
 class PolicyRolloutTest : public ::testing::Test {
  protected:
   PolicyRollout rollout(SvoChoice choice = SvoChoice::Mean, int threads = 1) const {
-    return {*policy_, grid_, goals_, choice, threads};
+    return {*policy_, grid_, distances_, choice, threads};
   }
   PolicyStep firstStep(PolicyRollout& rollout) {
     return rollout.follow(rollout.nothingKnown(), starts_, starts_, rng_);
@@ -27,7 +27,7 @@ class PolicyRolloutTest : public ::testing::Test {
       "#.#.#\n"
       ".....\n");
   Configuration starts_ = {{0, 0}, {0, 4}, {2, 2}};
-  Configuration goals_ = {{0, 4}, {0, 0}, {2, 2}};
+  std::vector<DistanceField> distances_ = distancesTo({{0, 4}, {0, 0}, {2, 2}}, grid_);
   Configuration next_ = {{0, 1}, {0, 4}, {2, 2}};
   std::shared_ptr<const Policy> policy_ = randomPolicy();
   Rng rng_{1};
@@ -106,11 +106,12 @@ TEST_F(PolicyRolloutTest, MemoryIsFedBackOnlyIfTheWeightsSaySo) {
 TEST_F(PolicyRolloutTest, ThreadsChangeNothing) {
   grid_ = Grid(10, 10);
   starts_.clear();
-  goals_.clear();
+  Configuration goals;
   for (int index = 0; index < 40; ++index) {
     starts_.push_back(grid_.cellAt(index));
-    goals_.push_back(grid_.cellAt(99 - index));
+    goals.push_back(grid_.cellAt(99 - index));
   }
+  distances_ = distancesTo(goals, grid_);
   auto alone = rollout();
   auto together = rollout(SvoChoice::Mean, 3);
   EXPECT_EQ(firstStep(alone).actions, firstStep(together).actions);

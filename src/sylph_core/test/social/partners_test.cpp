@@ -15,11 +15,7 @@ namespace sylph {
 namespace {
 
 std::vector<DistanceField> fieldsOf(const Instance& instance) {
-  std::vector<DistanceField> fields;
-  for (const Cell& goal : instance.goals) {
-    fields.emplace_back(instance.grid, goal);
-  }
-  return fields;
+  return distancesTo(instance.goals, instance.grid);
 }
 
 DistanceToGoal distanceIn(const std::vector<DistanceField>& fields) {

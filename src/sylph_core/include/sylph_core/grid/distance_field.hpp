@@ -10,28 +10,52 @@
 namespace sylph {
 
 /// Length of the shortest path from every cell to one goal, by breadth-first search [cells].
+///
+/// The search goes on only as far as it is asked for, so that fields of large maps cost what their
+/// agents' ways need. Not to be shared between threads before complete().
 class DistanceField {
  public:
   static constexpr int kUnreachable = std::numeric_limits<std::int32_t>::max();
 
+  /// @param grid  must outlive this object
   /// @throws std::invalid_argument if the goal is not a free cell
   DistanceField(const Grid& grid, const Cell& goal);
+  DistanceField(Grid&& grid, const Cell& goal) = delete;
 
   /// Distance [cells], or kUnreachable from obstacles, other components and outside.
   int at(const Cell& cell) const {
-    if (cell.row < 0 || cell.row >= rows_ || cell.col < 0 || cell.col >= cols_) {
-      return kUnreachable;
+    return grid_->isInside(cell) ? atIndex(grid_->indexOf(cell)) : kUnreachable;
+  }
+  /// Likewise, from a row-major index inside the grid.
+  int atIndex(int index) const {
+    const auto slot = static_cast<std::size_t>(index);
+    if (slot >= distance_.size() || distance_[slot] == kUnknown) {
+      searchUntil(slot);
     }
-    return distance_[static_cast<std::size_t>(cell.row * cols_ + cell.col)];
+    return distance_[slot];
   }
   const Cell& goal() const { return goal_; }
 
+  /// Searches the whole grid.
+  void complete() const;
+
  private:
-  int rows_;
-  int cols_;
+  static constexpr std::int32_t kUnknown = -1;
+
+  void begin() const;
+  void searchUntil(std::size_t slot) const;
+  void spreadOnce() const;
+
+  const Grid* grid_;
   Cell goal_;
-  std::vector<std::int32_t> distance_;
+  mutable std::vector<std::int32_t> distance_;  // row-major, empty before the first question
+  mutable std::vector<Cell> frontier_;          // the farthest cells known; empty when complete
+  mutable std::vector<Cell> next_;              // scratch of spreadOnce()
 };
+
+/// One field for each goal; `grid` must outlive them.
+/// @throws std::invalid_argument if a goal is not a free cell
+std::vector<DistanceField> distancesTo(const std::vector<Cell>& goals, const Grid& grid);
 
 /// A shortest path by walking downhill, start first, goal last. Among equally short moves the first
 /// in the order North, East, South, West is taken, so that paths repeat.

@@ -35,12 +35,11 @@ struct PolicyStep {
 /// whatever the network says, and that is also what the network gets to see of it.
 class PolicyRollout {
  public:
-  /// @param policy, grid  must outlive this object
-  /// @param threads       that the network may use, > 0
-  PolicyRollout(const Policy& policy, const Grid& grid, const Configuration& goals,
+  /// @param policy, grid, distances  must outlive this object
+  /// @param distances  per agent the distances to its goal
+  /// @param threads    that the network may use, > 0
+  PolicyRollout(const Policy& policy, const Grid& grid, const std::vector<DistanceField>& distances,
                 SvoChoice svo_choice, int threads);
-  PolicyRollout(const PolicyRollout&) = delete;  // the encoder refers to the distances
-  PolicyRollout& operator=(const PolicyRollout&) = delete;
 
   /// What goes before the first step.
   PolicyStep nothingKnown() const;
@@ -52,8 +51,6 @@ class PolicyRollout {
   PolicyStep follow(const PolicyStep& before, const Configuration& from, const Configuration& to,
                     Rng& rng);
 
-  /// Per agent the distances to its goal.
-  const std::vector<DistanceField>& distances() const { return distances_; }
   /// How often the network has been asked.
   long calls() const { return calls_; }
 
@@ -61,10 +58,9 @@ class PolicyRollout {
   PolicyStep evaluate(AgentStates states, NetworkInput input, Rng& rng);
 
   const Policy* policy_;
-  const Grid* grid_;
   SvoChoice svo_choice_;
   int threads_;
-  std::vector<DistanceField> distances_;
+  const std::vector<DistanceField>* distances_;
   ObservationEncoder encoder_;
   Partners partners_;
   long calls_ = 0;

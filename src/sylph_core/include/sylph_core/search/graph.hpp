@@ -49,6 +49,8 @@ class Graph {
     return vertices_[static_cast<std::size_t>(cell.row * cols_ + cell.col)];
   }
   const Cell& cellAt(VertexId vertex) const { return cells_[static_cast<std::size_t>(vertex)]; }
+  /// Row-major index of the cell in the grid.
+  int indexAt(VertexId vertex) const { return cellAt(vertex).row * cols_ + cellAt(vertex).col; }
 
   Vertices toVertices(const Configuration& cells) const;
   Configuration toCells(const Vertices& vertices) const;

@@ -8,12 +8,13 @@ namespace sylph {
 
 /// An instance in the form in which the searches take it.
 struct SearchProblem {
+  /// @param instance  its grid must outlive this object
   explicit SearchProblem(const Instance& instance)
       : graph(instance.grid),
         starts(graph.toVertices(instance.starts)),
         goals(graph.toVertices(instance.goals)),
         motion(instance.motion),
-        distances(graph, goals) {}
+        distances(instance.grid, graph, instance.goals) {}
 
   // The distance tables refer to the graph.
   SearchProblem(const SearchProblem&) = delete;
