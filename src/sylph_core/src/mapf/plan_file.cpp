@@ -1,5 +1,6 @@
 #include "sylph_core/mapf/plan_file.hpp"
 
+#include <array>
 #include <charconv>
 #include <stdexcept>
 #include <vector>
@@ -73,6 +74,13 @@ Configuration readConfiguration(const std::string& path, std::size_t line, Scann
   }
 }
 
+/// Plans of thousands of agents have tens of millions of numbers.
+void append(int value, std::string& text) {
+  std::array<char, 12> digits{};
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  text.append(digits.data(), end);
+}
+
 }  // namespace
 
 Plan loadPlan(const std::string& path) {
@@ -98,11 +106,16 @@ Plan loadPlan(const std::string& path) {
 void savePlan(const Plan& plan, const std::string& path) {
   std::string text;
   for (std::size_t step = 0; step < plan.size(); ++step) {
-    text += std::to_string(step) + ":";
+    append(static_cast<int>(step), text);
+    text += ':';
     for (const Cell& cell : plan[step]) {
-      text += " " + toString(cell);
+      text += " (";
+      append(cell.row, text);
+      text += ',';
+      append(cell.col, text);
+      text += ')';
     }
-    text += "\n";
+    text += '\n';
   }
   writeTextFile(path, text);
 }
