@@ -13,13 +13,13 @@ namespace sylph {
 
 /// One planner on one case.
 struct BenchmarkRun {
-  std::string planner;
-  std::string family;
-  int agents = 0;
-  int instance_number = 0;
+  std::string planner;                   ///< name
+  std::string family;                    ///< name
+  int agents = 0;                        ///< of the instance
+  int instance_number = 0;               ///< within the family, from 0
   Outcome outcome = Outcome::TimeLimit;  ///< as the planner says
-  Evaluation evaluation;
-  PlanningStatistics statistics;
+  Evaluation evaluation;                 ///< as it was found to be
+  PlanningStatistics statistics;         ///< what it took
 };
 
 /// Told of a run that is over, and of how many are.

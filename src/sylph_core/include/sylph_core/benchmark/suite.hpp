@@ -13,38 +13,38 @@ namespace sylph {
 
 /// A map from a file with a scenario for each instance.
 struct StoredInstances {
-  std::string map_path;
-  std::vector<std::string> scenario_paths;
+  std::string map_path;                     ///< as loadMap() takes it
+  std::vector<std::string> scenario_paths;  ///< MovingAI .scen, one an instance
 };
 
 /// A map and agents drawn for each instance k from seed + k.
 struct GeneratedInstances {
-  std::variant<RandomMapSpec, RoomMapSpec, MazeMapSpec> map;
-  int instances = 20;      ///< > 0
-  std::uint32_t seed = 0;  ///< of the first instance
+  std::variant<RandomMapSpec, RoomMapSpec, MazeMapSpec> map;  ///< its generator and sizes
+  int instances = 20;                                         ///< > 0
+  std::uint32_t seed = 0;                                     ///< of the first instance
 };
 
 /// Instances of one kind, each with several numbers of agents: the first N of the same scenario.
 struct BenchmarkFamily {
-  std::string name;
-  std::variant<StoredInstances, GeneratedInstances> source;
-  std::vector<int> agents;  ///< each > 0
+  std::string name;                                          ///< as in the table
+  std::variant<StoredInstances, GeneratedInstances> source;  ///< where its instances come from
+  std::vector<int> agents;                                   ///< each > 0
 };
 
 /// What sylph_benchmark runs.
 struct BenchmarkSuite {
-  std::vector<std::string> planners;
-  PlanningLimits limits;
-  MotionModel motion;
-  std::vector<BenchmarkFamily> families;
+  std::vector<std::string> planners;      ///< names, as makePlanner() takes them
+  PlanningLimits limits;                  ///< of each run
+  MotionModel motion;                     ///< of all instances
+  std::vector<BenchmarkFamily> families;  ///< one or more
 };
 
 /// One instance with one number of agents.
 struct BenchmarkCase {
-  std::string family;
+  std::string family;       ///< its name
   int instance_number = 0;  ///< within the family, from 0
   std::uint32_t seed = 0;   ///< for the planner
-  Instance instance;
+  Instance instance;        ///< what is to be planned
 };
 
 /// Reads a suite (YAML).

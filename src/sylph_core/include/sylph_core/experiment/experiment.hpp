@@ -35,30 +35,31 @@ struct ExecutionSpec {
   double command_latency_s = 0.05;  ///< from capture to a moving wheel, >= 0
 };
 
+/// How the mission is planned.
 struct PlanningSpec {
-  std::string planner = "lacam";
-  std::string weights_path;   ///< of the policy, absolute; empty: none
-  double time_limit_s = 5.0;  ///< > 0
+  std::string planner = "lacam";  ///< name, as makePlanner() takes it
+  std::string weights_path;       ///< of the policy, absolute; empty: none
+  double time_limit_s = 5.0;      ///< > 0
 };
 
 /// A lab experiment: everything that its nodes have to agree on.
 struct Experiment {
-  std::string name;      ///< file stem
-  std::string path;      ///< of the experiment file
-  std::string map_path;  ///< absolute
-  Grid grid;
-  double cell_size_m = 0.3;
-  std::vector<RobotSpec> robots;
-  std::uint32_t seed = 0;
-  PlanningSpec planning;
-  ExecutionSpec execution;
+  std::string name;               ///< file stem
+  std::string path;               ///< of the experiment file
+  std::string map_path;           ///< absolute
+  Grid grid;                      ///< the map
+  double cell_size_m = 0.3;       ///< side of a cell, > 0
+  std::vector<RobotSpec> robots;  ///< one or more; agent i is robot i
+  std::uint32_t seed = 0;         ///< of what is random
+  PlanningSpec planning;          ///< how the mission is planned
+  ExecutionSpec execution;        ///< how it is carried out
 };
 
 /// Settings that take the place of the file's, as launch arguments do.
 struct ExperimentOverrides {
-  std::optional<std::uint32_t> seed;  ///< redraws what the file calls `random`
-  std::optional<std::string> planner;
-  std::optional<std::string> weights_path = std::nullopt;
+  std::optional<std::uint32_t> seed;                       ///< redraws what the file calls `random`
+  std::optional<std::string> planner;                      ///< name
+  std::optional<std::string> weights_path = std::nullopt;  ///< of the policy
 };
 
 /// Reads an experiment file (YAML) and its map.

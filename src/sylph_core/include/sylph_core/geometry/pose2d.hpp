@@ -21,6 +21,7 @@ struct Twist2d {
   double turn_radps = 0.0;
 };
 
+/// The origin of the frame, in the other one.
 inline Point position(const Pose2d& pose) {
   return {pose.x_m, pose.y_m};
 }
@@ -40,6 +41,7 @@ double speed(const Twist2d& twist);
 /// Distance between two points [m].
 double distance(const Point& a, const Point& b);
 
+/// Whether all three numbers are.
 bool isFinite(const Pose2d& pose);
 
 /// The equal angle in (-pi, pi] [rad].

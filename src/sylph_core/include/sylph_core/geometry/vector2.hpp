@@ -6,8 +6,8 @@ namespace sylph {
 
 /// A position in a frame [m].
 struct Point {
-  double x = 0.0;
-  double y = 0.0;
+  double x = 0.0;  ///< to the right in `map`, forward in a robot's frame
+  double y = 0.0;  ///< up in `map`, left in a robot's frame
 };
 
 /// A direction, displacement or velocity in the plane.
@@ -25,9 +25,11 @@ inline Vector2 operator-(const Vector2& a, const Vector2& b) {
 inline Vector2 operator*(double factor, const Vector2& v) {
   return {factor * v.x, factor * v.y};
 }
+/// Inner product.
 inline double dot(const Vector2& a, const Vector2& b) {
   return a.x * b.x + a.y * b.y;
 }
+/// What leads from one point to another.
 inline Vector2 displacement(const Point& from, const Point& to) {
   return {to.x - from.x, to.y - from.y};
 }

@@ -11,6 +11,7 @@ namespace sylph {
 /// What an agent does in one timestep. North is up on the map: towards row 0, +y in the map frame.
 enum class Action : std::uint8_t { Stay = 0, North = 1, East = 2, South = 3, West = 4 };
 
+/// Number of actions.
 constexpr int kActionCount = 5;
 constexpr std::array<Action, kActionCount> kActions = {Action::Stay, Action::North, Action::East,
                                                        Action::South, Action::West};

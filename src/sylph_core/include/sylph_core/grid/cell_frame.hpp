@@ -21,6 +21,7 @@ class CellFrame {
   /// The cell that contains a point [m]; it may lie outside the grid.
   Cell toCell(const Point& point) const;
 
+  /// Side of a cell [m].
   double cellSize() const { return cell_size_m_; }
 
  private:

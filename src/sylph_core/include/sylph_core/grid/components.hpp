@@ -13,6 +13,7 @@ struct Components {
   std::vector<std::vector<Cell>> cells;  ///< per component, row-major; largest component first
 };
 
+/// Of the free cells; cells are connected by their edges.
 Components connectedComponents(const Grid& grid);
 
 }  // namespace sylph

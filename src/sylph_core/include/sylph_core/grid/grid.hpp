@@ -21,12 +21,16 @@ class Grid {
   /// @throws std::invalid_argument on other characters, unequal line lengths or an empty text
   static Grid fromText(const std::string& text);
 
+  /// Cells from top to bottom.
   int rows() const { return rows_; }
+  /// Cells from left to right.
   int cols() const { return cols_; }
   /// rows * cols
   int size() const { return rows_ * cols_; }
+  /// Cells without an obstacle; counts each time.
   int freeCellCount() const;
 
+  /// Free or not.
   bool isInside(const Cell& cell) const {
     return cell.row >= 0 && cell.row < rows_ && cell.col >= 0 && cell.col < cols_;
   }
@@ -39,6 +43,7 @@ class Grid {
 
   /// Row-major index of a cell inside, 0 ... size() - 1.
   int indexOf(const Cell& cell) const { return cell.row * cols_ + cell.col; }
+  /// The cell of such an index.
   Cell cellAt(int index) const { return {index / cols_, index % cols_}; }
 
   /// Free cells in row-major order.
@@ -52,6 +57,7 @@ class Grid {
   }
   friend bool operator!=(const Grid& a, const Grid& b) { return !(a == b); }
 
+  /// Rows and columns, at most: what a MovingAI map needs, and memory has room for.
   static constexpr int kMaxSide = 8192;
 
  private:

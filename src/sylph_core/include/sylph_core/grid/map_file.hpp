@@ -9,11 +9,11 @@ namespace sylph {
 
 /// A map as a file gives it. MovingAI maps have no size in metres.
 struct MapFile {
-  Grid grid;
+  Grid grid;                          ///< the free cells
   std::optional<double> cell_size_m;  ///< `resolution` of a map_server map
   double origin_x_m = 0.0;            ///< `origin` of a map_server map: its lower left corner
-  double origin_y_m = 0.0;
-  double origin_yaw_rad = 0.0;
+  double origin_y_m = 0.0;            ///< likewise
+  double origin_yaw_rad = 0.0;        ///< counterclockwise
 };
 
 /// Reads a map of either kind, told apart by the ending of its name:

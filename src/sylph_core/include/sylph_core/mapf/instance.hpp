@@ -7,11 +7,12 @@ namespace sylph {
 
 /// A multi-agent path finding problem: agent i goes from starts[i] to goals[i].
 struct Instance {
-  Grid grid;
-  Configuration starts;
-  Configuration goals;
-  MotionModel motion;
+  Grid grid;             ///< the map
+  Configuration starts;  ///< per agent, distinct free cells
+  Configuration goals;   ///< per agent, distinct free cells
+  MotionModel motion;    ///< which joint steps are legal
 
+  /// As many as there are starts.
   int agentCount() const { return static_cast<int>(starts.size()); }
 };
 
