@@ -47,7 +47,9 @@ int benchmark(const Options& options) {
   };
   writeCsv(sylph::toCsv({}), std::ios::trunc);  // a bad path shows before hours of work, not after
   sylph::ProgressBar bar(planners.size() * cases.size());
-  const auto runs = sylph::runBenchmark(planners, policy, cases, suite.limits, options.jobs,
+  sylph::PlanningLimits limits = suite.limits;
+  limits.social_states = false;  // nothing here shows them
+  const auto runs = sylph::runBenchmark(planners, policy, cases, limits, options.jobs,
                                         [&](const sylph::BenchmarkRun& run, std::size_t done) {
                                           writeCsv(sylph::toCsvLine(run), std::ios::app);
                                           bar.show(done);

@@ -37,7 +37,10 @@ void printJson(const Options& options, const sylph::Evaluation& evaluation,
   line["steps"] = evaluation.metrics.steps;
   line["makespan"] = evaluation.metrics.makespan;
   line["sum_of_costs"] = evaluation.metrics.sum_of_costs;
-  line["sum_of_costs_lower_bound"] = evaluation.sum_of_costs_lower_bound;
+  line["sum_of_costs_lower_bound"] = nullptr;
+  if (evaluation.sum_of_costs_lower_bound) {
+    line["sum_of_costs_lower_bound"] = *evaluation.sum_of_costs_lower_bound;
+  }
   line["arrived"] = evaluation.metrics.arrived;
   line["seconds_to_first"] = nullptr;  // there is no first solution
   if (evaluation.is_solved) {
@@ -54,7 +57,10 @@ void printText(const Options& options, const sylph::Evaluation& evaluation,
   std::cout << options.planner << ": " << toString(result.outcome) << ", " << metrics.arrived
             << " of " << options.instance.agents << " agents arrived\n"
             << "steps " << metrics.steps << ", makespan " << metrics.makespan << ", sum of costs "
-            << metrics.sum_of_costs << " (lower bound " << evaluation.sum_of_costs_lower_bound
+            << metrics.sum_of_costs << " (lower bound "
+            << (evaluation.sum_of_costs_lower_bound
+                    ? std::to_string(*evaluation.sum_of_costs_lower_bound)
+                    : "unknown")
             << ")\n";
   if (evaluation.is_solved) {
     std::cout << "first solution after " << result.statistics.first_solution_s << " s, ";
@@ -63,11 +69,15 @@ void printText(const Options& options, const sylph::Evaluation& evaluation,
 }
 
 int plan(const Options& options) {
+  const sylph::Deadline deadline(options.limits.time_limit_s);  // of all that follows
   const std::unique_ptr<sylph::Planner> planner = sylph::makePlanner(
       options.planner, sylph::loadPolicy({options.planner}, options.weights_path));
   const sylph::Instance instance = options.instance.load();
+  sylph::PlanningLimits limits = options.limits;
+  limits.social_states = false;  // nothing here shows them
+  limits.time_limit_s = deadline.remaining();
   sylph::Rng rng(options.seed);
-  const sylph::PlanningResult result = planner->plan(instance, options.limits, rng);
+  const sylph::PlanningResult result = planner->plan(instance, limits, rng);
   const sylph::Evaluation evaluation = sylph::evaluate(instance, result);
   if (evaluation.violation) {
     std::cerr << "sylph_plan: planner '" << options.planner

@@ -10,7 +10,7 @@ Evaluation evaluate(const Instance& instance, const PlanningResult& result) {
   }
   const Plan nothing_done = {instance.starts};
   evaluation.metrics = computeMetrics(instance, result.plan.empty() ? nothing_done : result.plan);
-  evaluation.sum_of_costs_lower_bound = sumOfCostsLowerBound(instance);
+  evaluation.sum_of_costs_lower_bound = result.statistics.sum_of_costs_lower_bound;
   return evaluation;
 }
 

@@ -34,7 +34,7 @@ std::vector<std::string> summarize(const std::vector<const BenchmarkRun*>& runs)
     if (run->evaluation.is_solved) {
       first_s.push_back(run->statistics.first_solution_s);
       makespans += run->evaluation.metrics.makespan;
-      const auto bound = static_cast<double>(run->evaluation.sum_of_costs_lower_bound);
+      const auto bound = static_cast<double>(run->evaluation.sum_of_costs_lower_bound.value());
       // Who starts on the goals needs no step: as good as the bound.
       cost_ratios +=
           bound > 0.0 ? static_cast<double>(run->evaluation.metrics.sum_of_costs) / bound : 1.0;
@@ -82,8 +82,11 @@ std::string toCsvLine(const BenchmarkRun& run) {
   std::ostringstream out;
   out << run.planner << ',' << run.family << ',' << run.agents << ',' << run.instance_number << ','
       << outcomeOf(run) << ',' << metrics.steps << ',' << metrics.makespan << ','
-      << metrics.sum_of_costs << ',' << run.evaluation.sum_of_costs_lower_bound << ','
-      << metrics.arrived << ',';
+      << metrics.sum_of_costs << ',';
+  if (run.evaluation.sum_of_costs_lower_bound) {
+    out << *run.evaluation.sum_of_costs_lower_bound;
+  }
+  out << ',' << metrics.arrived << ',';
   if (run.evaluation.is_solved) {
     out << run.statistics.first_solution_s;
   }

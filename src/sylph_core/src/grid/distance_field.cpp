@@ -14,13 +14,25 @@ DistanceField::DistanceField(const Grid& grid, const Cell& goal) : grid_(&grid),
   }
 }
 
-void DistanceField::complete() const {
+bool DistanceField::reach(const Cell& cell, const std::function<bool()>& isOver) const {
   if (distance_.empty()) {
     begin();
   }
-  while (!frontier_.empty()) {
+  const std::int32_t& distance = distance_[static_cast<std::size_t>(grid_->indexOf(cell))];
+  while (distance == kUnknown && !isOver()) {
     spreadOnce();
   }
+  return distance != kUnknown;
+}
+
+bool DistanceField::complete(const std::function<bool()>& isOver) const {
+  if (distance_.empty()) {
+    begin();
+  }
+  while (!frontier_.empty() && !isOver()) {
+    spreadOnce();
+  }
+  return frontier_.empty();
 }
 
 void DistanceField::begin() const {

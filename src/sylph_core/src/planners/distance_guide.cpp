@@ -14,13 +14,15 @@ class DistanceGuide : public Guide {
     return makeDistanceGenerator(*problem_, 0, *rng_);
   }
 
-  bool goesByDistance() const override { return true; }
+  bool isPolicyGuided() const override { return false; }
 
-  std::vector<SocialState> socialStates(const std::vector<Vertices>& plan) override {
+  std::vector<SocialState> socialStates(const std::vector<Vertices>& plan,
+                                        const Deadline& deadline) override {
     const auto distance = [this](AgentId agent, const Cell& cell) {
-      return problem_->distances.get(agent, problem_->graph.vertexAt(cell));
+      return problem_->distances.fields()[static_cast<std::size_t>(agent)].at(cell);
     };
-    return partnersAlongPlan(*grid_, distance, problem_->graph.toPlan(plan));
+    return partnersAlongPlan(*grid_, distance, problem_->graph.toPlan(plan),
+                             [&] { return deadline.isOver(); });
   }
 
   long policyCalls() const override { return 0; }

@@ -1,6 +1,7 @@
 #include "sylph_core/planners/improvement.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <memory>
 #include <thread>
 #include <utility>
@@ -34,7 +35,9 @@ class Workers {
     for (std::thread& thread : threads) {
       thread.join();
     }
-    offer(best().plan());
+    if (searches_.size() > 1 && !deadline.isOver()) {
+      offer(best().plan());
+    }
   }
 
   /// Goes on from another plan where that is better.
@@ -69,17 +72,18 @@ class Rewiring {
   enum class Result { Nothing, Better, Optimal };
 
   /// @param plan, cost  the best plan so far and its sum of costs
-  Result run(const std::vector<Vertices>& plan, long cost, double turn_s) {
-    if (is_exhausted_ || lacam_.nodeCount() * agents_ > most_vertices_kept_) {
+  Result run(const std::vector<Vertices>& plan, long cost, const Deadline& deadline,
+             double turn_s) {
+    if (is_exhausted_ || deadline.isOver() || lacam_.nodeCount() * agents_ > most_vertices_kept_) {
       return Result::Nothing;
     }
-    lacam_.insert(plan);
-    const Lacam::Status status = lacam_.search(Deadline(share_ * turn_s), kNoStepLimit);
+    lacam_.insert(plan, deadline);
+    const Lacam::Status status = lacam_.search(deadline.within(share_ * turn_s), kNoStepLimit);
     is_exhausted_ = status == Lacam::Status::Exhausted;
     // Exhausted, the cost is least in LaCAM's measure, which is at most the sum of costs.
-    return is_exhausted_ && lacam_.cost() == cost ? Result::Optimal
-           : status == Lacam::Status::Solved      ? Result::Better
-                                                  : Result::Nothing;
+    return is_exhausted_ && lacam_.isSolved() && lacam_.cost() == cost ? Result::Optimal
+           : status == Lacam::Status::Solved                           ? Result::Better
+                                                                       : Result::Nothing;
   }
 
   const Lacam& lacam() const { return lacam_; }
@@ -104,10 +108,12 @@ class Restarts {
            const ImprovementSettings& settings, Rng& rng)
       : problem_(&problem), make_generator_(&make_generator), settings_(&settings), rng_(&rng) {}
 
+  /// @param most_failures  in a row
   /// @return the plan, or a better one
-  std::vector<Vertices> run(std::vector<Vertices> plan, const Deadline& deadline) {
+  std::vector<Vertices> run(std::vector<Vertices> plan, int most_failures,
+                            const Deadline& deadline) {
     long best_cost = sumOfCosts(pathsOf(plan));
-    while (failures_ < settings_->most_failed_restarts && !deadline.isOver()) {
+    while (failures_ < most_failures && !deadline.isOver()) {
       std::vector<Vertices> candidate = searchFrom(plan, drawIndex(*rng_, plan.size()), deadline);
       const long cost = sumOfCosts(pathsOf(candidate));
       if (candidate.back() == problem_->goals && cost < best_cost) {
@@ -147,31 +153,43 @@ class Restarts {
 Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
                     const GeneratorFactory& make_generator, int threads, const Deadline& deadline,
                     Rng& rng, const ImprovementSettings& settings) {
-  problem.distances.completeAll();
   const double time_s = deadline.remaining();
   const double turn_s = std::min(time_s / settings.turns, settings.longest_turn_s);
   const long lower_bound = problem.distances.sum(problem.starts);
   Improvement improvement;
-  if (sumOfCosts(pathsOf(plan)) == lower_bound) {
+  if (deadline.isOver() || sumOfCosts(pathsOf(plan)) == lower_bound) {
     improvement.plan = std::move(plan);
     return improvement;
   }
-  plan = Restarts(problem, make_generator, settings, rng)
-             .run(std::move(plan), Deadline(settings.restart_share * time_s));
+  Restarts restarts(problem, make_generator, settings, rng);
+  const double table_bytes =
+      LargeNeighborhoodSearch::bytesOf(problem, static_cast<int>(plan.size()) - 1);
+  const double affordable_bytes = std::min(
+      settings.most_table_bytes, settings.table_share * time_s * settings.table_bytes_per_s);
+  if (table_bytes > affordable_bytes) {
+    improvement.plan = restarts.run(std::move(plan), std::numeric_limits<int>::max(), deadline);
+    return improvement;
+  }
+  threads = std::min<int>(threads, static_cast<int>(affordable_bytes / table_bytes));
+  if (threads > 1 &&
+      !problem.distances.completeAll(deadline.within(settings.table_share * time_s))) {
+    threads = 1;  // distances that are not complete cannot be shared
+  }
+  plan = restarts.run(std::move(plan), settings.most_failed_restarts,
+                      deadline.within(settings.restart_share * time_s));
   Workers workers(problem, plan, settings, threads, rng);
   Rewiring rewiring(problem, make_generator, settings, rng);
   bool is_descending = true;
   while (workers.best().cost() > lower_bound && !deadline.isOver()) {
     const double cooling = deadline.remaining() / time_s;
     const long cost_before = workers.best().cost();
-    workers.run(Deadline(std::min(turn_s, deadline.remaining())),
+    workers.run(deadline.within(turn_s),
                 is_descending ? 0.0 : settings.first_temperature * cooling);
     const LargeNeighborhoodSearch& best = workers.best();
     is_descending =
         is_descending && static_cast<double>(best.cost()) <
                              static_cast<double>(cost_before) * (1.0 - settings.plentiful_gain);
-    const auto result =
-        rewiring.run(best.plan(), best.cost(), std::min(turn_s, deadline.remaining()));
+    const auto result = rewiring.run(best.plan(), best.cost(), deadline, turn_s);
     if (result == Rewiring::Result::Optimal) {
       break;
     }

@@ -1,5 +1,6 @@
 #include "sylph_core/planners/lacam_planner.hpp"
 
+#include <algorithm>
 #include <utility>
 
 #include "sylph_core/planners/first_solution.hpp"
@@ -11,13 +12,9 @@
 namespace sylph {
 namespace {
 
-constexpr double kShareOfPolicy = 0.25;  // of the time, at most, where there is a solution
-constexpr long kStepsOfPolicy = 1000;
-constexpr int kFewAgents = 16;
-constexpr double kShareOfFirstSolution = 0.05;  // of the rest of the time, at most, for rounds
-constexpr int kRoundsOfFew = 4;
+constexpr ImprovementSettings kSettings{};
 
-Outcome outcomeOf(Lacam::Status status, std::size_t plan_size, const PlanningLimits& limits) {
+Outcome outcomeOf(Lacam::Status status) {
   switch (status) {
     case Lacam::Status::Exhausted:
       return Outcome::Unsolvable;
@@ -26,10 +23,10 @@ Outcome outcomeOf(Lacam::Status status, std::size_t plan_size, const PlanningLim
     case Lacam::Status::Solved:
       break;
   }
-  return static_cast<int>(plan_size) - 1 > limits.max_steps ? Outcome::StepLimit : Outcome::Solved;
+  return Outcome::Solved;
 }
 
-/// With a policy, the second attempt goes by it, the others by distance.
+/// The second attempt is policy-guided, the others go by distance.
 FirstSolution findBySomeOrder(const SearchProblem& problem, Guide& guide, const Deadline& deadline,
                               Rng& rng) {
   const auto make_generator = [&](const SearchProblem& /*problem*/, int attempt, Rng& /*rng*/) {
@@ -54,17 +51,18 @@ struct Solutions {
 /// too slow for the time limit, or leads to something worse.
 Solutions findSolutions(const SearchProblem& problem, Guide& guide, const Deadline& deadline,
                         Rng& rng) {
-  FirstSolution first = guide.goesByDistance()
-                            ? findFirstSolution(problem, makeDistanceGenerator, deadline, rng)
-                            : findBySomeOrder(problem, guide, deadline, rng);
+  FirstSolution first = guide.isPolicyGuided()
+                            ? findBySomeOrder(problem, guide, deadline, rng)
+                            : findFirstSolution(problem, makeDistanceGenerator, deadline, rng);
   Solutions solutions{first.status, {std::move(first.plan)}, first.nodes};
-  if (solutions.status != Lacam::Status::Solved || guide.goesByDistance() ||
+  if (solutions.status != Lacam::Status::Solved || !guide.isPolicyGuided() ||
       guide.policyCalls() > 0) {
     return solutions;
   }
   const auto generator = guide.makeGenerator();
   Lacam lacam(problem, *generator, rng);
-  const auto status = lacam.search(Deadline(kShareOfPolicy * deadline.remaining()), kStepsOfPolicy);
+  const auto status = lacam.search(deadline.within(kSettings.policy_share * deadline.remaining()),
+                                   kSettings.most_policy_steps);
   solutions.nodes += lacam.nodeCount();
   if (status == Lacam::Status::Solved) {
     solutions.plans.push_back(lacam.plan());
@@ -75,18 +73,18 @@ Solutions findSolutions(const SearchProblem& problem, Guide& guide, const Deadli
   return solutions;
 }
 
-/// Few agents soon are in a local optimum; other starts then are worth more than time, unless the
-/// computer is so busy that there is little of it.
+/// In rounds where they are worth it, see ImprovementSettings.
 /// @param reserve_s  time to leave for what comes after [s]
 Improvement improveSolutions(const SearchProblem& problem,
                              const std::vector<std::vector<Vertices>>& plans, int threads,
                              const Deadline& deadline, double reserve_s, Rng& rng) {
-  const bool has_rounds = plans.size() > 1 && problem.agentCount() <= kFewAgents &&
-                          deadline.elapsed() < kShareOfFirstSolution * deadline.remaining();
-  const int rounds = has_rounds ? kRoundsOfFew : 1;
+  const bool has_rounds =
+      plans.size() > 1 && problem.agentCount() <= kSettings.most_agents_of_rounds &&
+      deadline.elapsed() < kSettings.most_first_solution_share * deadline.remaining();
+  const int rounds = has_rounds ? kSettings.rounds : 1;
   Improvement best;
   for (int round = 0; round < rounds; ++round) {
-    const Deadline turn((deadline.remaining() - reserve_s) / (rounds - round));
+    const Deadline turn = deadline.within((deadline.remaining() - reserve_s) / (rounds - round));
     Improvement improvement =
         improve(problem, plans[static_cast<std::size_t>(round) % plans.size()],
                 makeDistanceGenerator, threads, turn, rng);
@@ -103,41 +101,49 @@ Improvement improveSolutions(const SearchProblem& problem,
   return best;
 }
 
-/// Improvement leaves this time for the network to be asked along the plan [s].
-double timeForSocialStates(const Guide& guide, const Deadline& deadline, std::size_t steps) {
-  return guide.policyCalls() == 0 ? 0.0
-                                  : deadline.elapsed() / static_cast<double>(guide.policyCalls()) *
-                                        static_cast<double>(steps);
+/// Improvement leaves this time for the social states along its plan [s], half of what there is at
+/// most. It is estimated from the network's calls so far, or from the first steps of a plan.
+double timeForSocialStates(Guide& guide, const std::vector<Vertices>& plan,
+                           const Deadline& deadline) {
+  const auto steps = static_cast<double>(plan.size() - 1);
+  double time_s = 0.0;
+  if (guide.policyCalls() > 0) {
+    time_s = deadline.elapsed() / static_cast<double>(guide.policyCalls()) * steps;
+  } else {
+    constexpr std::size_t kStepsMeasured = 8;
+    const auto measure = [&](std::size_t count) {
+      const double begin_s = deadline.elapsed();
+      guide.socialStates(
+          {plan.begin(), plan.begin() + static_cast<long>(std::min(count + 1, plan.size()))},
+          deadline);
+      return deadline.elapsed() - begin_s;
+    };
+    const double first_s = measure(1);  // dearer than the ones that follow
+    time_s = first_s + (measure(kStepsMeasured) - first_s) / (kStepsMeasured - 1.0) * steps;
+  }
+  constexpr double kLeastShare = 0.01;  // of the time that is left
+  const double most_s = std::max(0.0, deadline.remaining() / 2.0);
+  return std::clamp(time_s, kLeastShare * most_s, most_s);
 }
 
 }  // namespace
 
-LacamPlanner::LacamPlanner(std::string name, GuideFactory make_guide)
-    : name_(std::move(name)), make_guide_(std::move(make_guide)) {}
-
-PlanningResult LacamPlanner::plan(const Instance& instance, const PlanningLimits& limits,
-                                  Rng& rng) const {
-  const Deadline deadline(limits.time_limit_s);
-  const SearchProblem problem(instance);
-  const auto guide = make_guide_(problem, instance, limits.threads, rng);
-  Solutions solutions = findSolutions(problem, *guide, deadline, rng);
-  PlanningResult result;
-  result.statistics.first_solution_s = deadline.elapsed();
-  result.statistics.search_nodes = solutions.nodes;
-  std::vector<Vertices> best = solutions.plans.front();
+SearchResult LacamPlanner::search(const SearchProblem& problem, Guide& guide,
+                                  const PlanningLimits& limits, const Deadline& deadline, Rng& rng,
+                                  PlanningStatistics& statistics) const {
+  Solutions solutions = findSolutions(problem, guide, deadline, rng);
+  statistics.first_solution_s = deadline.elapsed();
+  statistics.search_nodes = solutions.nodes;
+  SearchResult result{outcomeOf(solutions.status), solutions.plans.front()};
   if (solutions.status == Lacam::Status::Solved && !limits.first_solution_only) {
+    const double reserve_s =
+        limits.social_states ? timeForSocialStates(guide, result.plan, deadline) : 0.0;
     Improvement improvement =
-        improveSolutions(problem, solutions.plans, limits.threads, deadline,
-                         timeForSocialStates(*guide, deadline, best.size()), rng);
-    best = std::move(improvement.plan);
-    result.statistics.improvements = improvement.improvements;
-    result.statistics.search_nodes += improvement.nodes;
+        improveSolutions(problem, solutions.plans, limits.threads, deadline, reserve_s, rng);
+    result.plan = std::move(improvement.plan);
+    statistics.improvements = improvement.improvements;
+    statistics.search_nodes += improvement.nodes;
   }
-  result.plan = problem.graph.toPlan(best);
-  result.outcome = outcomeOf(solutions.status, result.plan.size(), limits);
-  result.social = guide->socialStates(best);
-  result.statistics.policy_calls = guide->policyCalls();
-  result.statistics.total_s = deadline.elapsed();
   return result;
 }
 

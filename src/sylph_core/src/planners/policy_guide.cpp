@@ -34,10 +34,11 @@ class PolicyGuide : public Guide {
         use_ == PolicyUse::Search ? kPatienceOfSearch : PolicyPatience(), *rng_);
   }
 
-  bool goesByDistance() const override { return false; }
+  bool isPolicyGuided() const override { return true; }
 
-  std::vector<SocialState> socialStates(const std::vector<Vertices>& plan) override {
-    return steps_.along(plan);
+  std::vector<SocialState> socialStates(const std::vector<Vertices>& plan,
+                                        const Deadline& deadline) override {
+    return steps_.along(plan, deadline);
   }
 
   long policyCalls() const override { return rollout_.calls(); }

@@ -8,7 +8,8 @@
 namespace sylph {
 namespace {
 
-constexpr int kStepsBetweenClockReads = 16;
+/// A step takes the longer the more agents there are: microseconds to milliseconds.
+constexpr long kAgentStepsBetweenClockReads = 256;
 // Once there is a solution, depth first alone would stay near its end.
 constexpr std::size_t kStepsBetweenJumps = 64;
 
@@ -24,9 +25,10 @@ Lacam::Lacam(const SearchProblem& problem, const Vertices& from, ConfigurationGe
 Lacam::Status Lacam::search(const Deadline& deadline, long max_steps) {
   const long cost_before = goal_ == nullptr ? 0 : goal_->cost;
   const bool was_solved = isSolved();
+  const long between_clock_reads = 1 + kAgentStepsBetweenClockReads / problem_->agentCount();
   long steps = 0;
   for (long iteration = 0; !open_.empty(); ++iteration) {
-    if (steps == max_steps || (iteration % kStepsBetweenClockReads == 0 && deadline.isOver())) {
+    if (steps == max_steps || (iteration % between_clock_reads == 0 && deadline.isOver())) {
       return Status::Unfinished;
     }
     if (isSolved() && drawIndex(*rng_, kStepsBetweenJumps) == 0) {
@@ -173,9 +175,9 @@ void Lacam::connect(Node& from, Node& to) {
   }
 }
 
-void Lacam::insert(const std::vector<Vertices>& plan) {
+void Lacam::insert(const std::vector<Vertices>& plan, const Deadline& deadline) {
   Node* node = start_;
-  for (std::size_t timestep = 1; timestep < plan.size(); ++timestep) {
+  for (std::size_t timestep = 1; timestep < plan.size() && !deadline.isOver(); ++timestep) {
     const std::uint64_t hash = hashOf(plan[timestep]);
     Node* next = findNode(plan[timestep], hash);
     if (next == nullptr) {

@@ -14,6 +14,10 @@ int horizonFor(int makespan) {
 
 }  // namespace
 
+double LargeNeighborhoodSearch::bytesOf(const SearchProblem& problem, int makespan) {
+  return ReservationTable::bytesOf(problem.graph, horizonFor(makespan));
+}
+
 LargeNeighborhoodSearch::LargeNeighborhoodSearch(const SearchProblem& problem,
                                                  const std::vector<Vertices>& plan,
                                                  const ImprovementSettings& settings)
@@ -55,9 +59,10 @@ void LargeNeighborhoodSearch::run(const Deadline& deadline, double temperature, 
     Arm& arm = arms_[drawArm(rng)];
     const auto allowed_loss = static_cast<long>(-temperature * std::log(1.0 - drawFraction(rng)));
     const long cost_before = cost_;
-    replan(neighborhoods_.pick(arm.kind, arm.size, rng), allowed_loss, rng);
+    replan(neighborhoods_.pick(arm.kind, arm.size, rng), allowed_loss, deadline, rng);
     keepIfBest();
-    if (iteration % settings_.neighborhoods_between_shrinks == 0) {
+    if (iteration % settings_.neighborhoods_between_shrinks == 0 &&
+        deadline.remaining() > bytesOf(*problem_, table_.horizon()) / settings_.table_bytes_per_s) {
       shrinkTable();
     }
     const double now_s = deadline.elapsed();
@@ -77,7 +82,8 @@ std::size_t LargeNeighborhoodSearch::drawArm(Rng& rng) const {
 }
 
 // @return whether the agents have new paths; otherwise they keep their old ones
-bool LargeNeighborhoodSearch::replan(std::vector<AgentId> agents, long allowed_loss, Rng& rng) {
+bool LargeNeighborhoodSearch::replan(std::vector<AgentId> agents, long allowed_loss,
+                                     const Deadline& deadline, Rng& rng) {
   shuffle(agents, rng);
   std::vector<VertexPath> old_paths;
   long old_cost = 0;
@@ -93,7 +99,7 @@ bool LargeNeighborhoodSearch::replan(std::vector<AgentId> agents, long allowed_l
   for (const AgentId agent : agents) {
     table_.remove(agent);
   }
-  if (planAll(agents, old_cost + allowed_loss, rng)) {
+  if (planAll(agents, old_cost + allowed_loss, deadline, rng)) {
     for (const AgentId agent : agents) {
       cost_ += costOf(agent);
     }
@@ -108,7 +114,8 @@ bool LargeNeighborhoodSearch::replan(std::vector<AgentId> agents, long allowed_l
 
 // Prioritised planning. Leaves none of the agents in the table where not all of them can be planned
 // at that cost.
-bool LargeNeighborhoodSearch::planAll(const std::vector<AgentId>& agents, long max_cost, Rng& rng) {
+bool LargeNeighborhoodSearch::planAll(const std::vector<AgentId>& agents, long max_cost,
+                                      const Deadline& deadline, Rng& rng) {
   long least_cost_of_rest = 0;
   for (const AgentId agent : agents) {
     least_cost_of_rest += leastCostOf(agent);
@@ -119,7 +126,7 @@ bool LargeNeighborhoodSearch::planAll(const std::vector<AgentId>& agents, long m
     const long latest_arrival =
         std::min<long>(table_.horizon(), max_cost - cost - least_cost_of_rest);
     const VertexPath path = search_.find(table_, problem_->starts[*agent], problem_->goals[*agent],
-                                         static_cast<Timestep>(latest_arrival), rng);
+                                         static_cast<Timestep>(latest_arrival), deadline, rng);
     if (path.empty()) {
       std::for_each(agents.begin(), agent, [&](const AgentId planned) { table_.remove(planned); });
       return false;

@@ -82,8 +82,8 @@ std::vector<AgentId> Neighborhoods::pickDelayed(int size, Rng& rng) {
   return picked_;
 }
 
-// Leaves the agent's path at random for moves that would let it arrive earlier, and picks whoever
-// is in the way of them.
+// Leaves the agent's path at random for moves that would let it arrive earlier, and picks the
+// agents that are in the way of them.
 void Neighborhoods::walk(AgentId agent, int size, Rng& rng) {
   const VertexPath& path = table_->path(agent);
   const auto cost = static_cast<Timestep>(path.size()) - 1;

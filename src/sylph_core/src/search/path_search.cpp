@@ -7,6 +7,8 @@ namespace sylph {
 namespace {
 
 constexpr int kBitsPerWord = 64;
+/// On large maps one search takes seconds; so many words are spread within microseconds.
+constexpr long kWordsBetweenClockReads = 1L << 15;
 
 // The cells reached one timestep later. `from` has margins of zeros that shifts may read.
 void spreadOnce(const std::uint64_t* from, std::uint64_t* to, const ReservationTable& table,
@@ -34,7 +36,7 @@ void spreadOnce(const std::uint64_t* from, std::uint64_t* to, const ReservationT
 }  // namespace
 
 VertexPath PathSearch::find(ReservationTable& table, VertexId start, VertexId goal,
-                            Timestep latest_arrival, Rng& rng) {
+                            Timestep latest_arrival, const Deadline& deadline, Rng& rng) {
   struct Closing {
     VertexId from;
     VertexId to;
@@ -43,7 +45,8 @@ VertexPath PathSearch::find(ReservationTable& table, VertexId start, VertexId go
   std::vector<Closing> closings;
   VertexPath path;
   while (true) {
-    const Timestep arrival = spread(table, start, goal, std::min(latest_arrival, table.horizon()));
+    const Timestep arrival =
+        spread(table, start, goal, std::min(latest_arrival, table.horizon()), deadline);
     path = arrival < 0 ? VertexPath() : trace(table, goal, arrival, rng);
     const Timestep rotation = table.rotationClosedBy(path);
     if (rotation == 0) {
@@ -58,9 +61,10 @@ VertexPath PathSearch::find(ReservationTable& table, VertexId start, VertexId go
   return path;
 }
 
-// @return the first timestep at which the agent can be on its goal for good, -1 if there is none
+// @return the first timestep at which the agent can be on its goal for good, -1 if there is none or
+// no time to find it
 Timestep PathSearch::spread(const ReservationTable& table, VertexId start, VertexId goal,
-                            Timestep latest_arrival) {
+                            Timestep latest_arrival, const Deadline& deadline) {
   const Timestep goal_free_from = table.freeFrom(goal);
   if (goal_free_from > latest_arrival) {
     return -1;
@@ -79,6 +83,7 @@ Timestep PathSearch::spread(const ReservationTable& table, VertexId start, Verte
     return -1;
   }
   reached[start_bit / kBitsPerWord] |= std::uint64_t{1} << (start_bit % kBitsPerWord);
+  long words_spread = 0;
   for (Timestep timestep = 0; timestep <= latest_arrival; ++timestep) {
     if (timestep >= goal_free_from && isReached(layout, goal, timestep)) {
       return timestep;
@@ -86,6 +91,13 @@ Timestep PathSearch::spread(const ReservationTable& table, VertexId start, Verte
     if (timestep < latest_arrival) {
       spreadOnce(reached, reached + row, table, timestep + 1);
       reached += row;
+      words_spread += layout.words;
+    }
+    if (words_spread >= kWordsBetweenClockReads) {
+      words_spread = 0;
+      if (deadline.isOver()) {
+        return -1;
+      }
     }
   }
   return -1;

@@ -42,9 +42,11 @@ std::vector<const PolicySteps::Entry*> PolicySteps::entriesAlong(
   return entry == nullptr ? entries : std::vector<const Entry*>();
 }
 
-std::vector<SocialState> PolicySteps::along(const std::vector<Vertices>& plan) {
+std::vector<SocialState> PolicySteps::along(const std::vector<Vertices>& plan,
+                                            const Deadline& deadline) {
   std::vector<const Entry*> entries = entriesAlong(plan);
-  for (std::size_t timestep = entries.size(); timestep + 1 < plan.size(); ++timestep) {
+  for (std::size_t timestep = entries.size(); timestep + 1 < plan.size() && !deadline.isOver();
+       ++timestep) {
     const Entry* before = timestep == 0 ? nullptr : entries.back();
     const Entry* known = find(plan[timestep]);
     entries.push_back(known != nullptr && known->before == before

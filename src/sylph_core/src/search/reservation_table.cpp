@@ -27,7 +27,8 @@ ReservationTable::ReservationTable(const Graph& graph, MotionModel motion, int a
       layers_(static_cast<std::size_t>(horizon + 1) *
                   static_cast<std::size_t>(kRowsPerLayer * layout_.words),
               0),
-      visits_(static_cast<std::size_t>(graph.size()) * static_cast<std::size_t>(horizon + 1)),
+      occupants_(static_cast<std::size_t>(graph.size()) * static_cast<std::size_t>(horizon + 1),
+                 kNoAgent),
       paths_(static_cast<std::size_t>(agents)) {
   for (Timestep timestep = 0; timestep <= horizon; ++timestep) {
     std::uint64_t* closed = layer(timestep);
@@ -38,13 +39,18 @@ ReservationTable::ReservationTable(const Graph& graph, MotionModel motion, int a
   }
 }
 
+double ReservationTable::bytesOf(const Graph& graph, int horizon) {
+  const double words = static_cast<double>(kRowsPerLayer) * BitLayout(graph).words;
+  return (horizon + 1.0) *
+         (words * sizeof(std::uint64_t) + static_cast<double>(graph.size()) * sizeof(AgentId));
+}
+
 void ReservationTable::insert(AgentId agent, const VertexPath& path) {
   paths_[agent] = path;
   for (Timestep timestep = 0; timestep <= horizon_; ++timestep) {
     const VertexId vertex = position(agent, timestep);
     layer(timestep)[layout_.bitOf(vertex) / kBitsPerWord] |= maskOf(vertex);
-    visit(vertex, timestep) = {agent, timestep == 0 ? kNoVertex : position(agent, timestep - 1),
-                               position(agent, timestep + 1)};
+    occupants_[slotOf(vertex, timestep)] = agent;
   }
   setSwapsClosed(path, true);
 }
@@ -54,7 +60,7 @@ void ReservationTable::remove(AgentId agent) {
   for (Timestep timestep = 0; timestep <= horizon_; ++timestep) {
     const VertexId vertex = position(agent, timestep);
     layer(timestep)[layout_.bitOf(vertex) / kBitsPerWord] &= ~maskOf(vertex);
-    visit(vertex, timestep) = Visit();
+    occupants_[slotOf(vertex, timestep)] = kNoAgent;
   }
   paths_[agent].clear();
 }
@@ -85,7 +91,7 @@ void ReservationTable::setClosedTo(VertexId from, VertexId to, Timestep arrival,
 }
 
 // Agents that follow each other form a chain, and a move closes a rotation if the agent at the head
-// of the chain that it joins enters the vertex that the move leaves. Nobody in a chain rests: the
+// of the chain that it joins enters the vertex that the move leaves. No agent in a chain rests: the
 // next one enters its vertex.
 Timestep ReservationTable::rotationClosedBy(const VertexPath& path) const {
   if (motion_.rotations) {
@@ -96,7 +102,8 @@ Timestep ReservationTable::rotationClosedBy(const VertexPath& path) const {
     const VertexId home = path[timestep - 1];
     VertexId entered = path[timestep];
     while (entered != kNoVertex && entered != home) {
-      entered = visit(entered, arrival - 1).to;
+      const AgentId ahead = occupant(entered, arrival - 1);
+      entered = ahead == kNoAgent ? kNoVertex : position(ahead, arrival);
     }
     if (entered == home && path[timestep] != home) {
       return arrival;

@@ -26,7 +26,7 @@ class TieBreakingSteps : public JointSteps {
     }
   }
 
-  /// By index: it is of no consequence, since everybody chooses for itself.
+  /// By index: it is of no consequence, since all agents choose for themselves.
   const std::vector<AgentId>& order() const override { return order_; }
 
   bool generate(Vertices& to) override {

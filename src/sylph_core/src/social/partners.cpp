@@ -216,16 +216,16 @@ double Partners::overlap(AgentId agent, AgentId other) const {
 }
 
 std::vector<SocialState> partnersAlongPlan(const Grid& grid, const DistanceToGoal& distance,
-                                           const Plan& plan) {
+                                           const Plan& plan, const std::function<bool()>& isOver) {
   std::vector<SocialState> states;
-  if (plan.size() < 2) {
+  if (plan.size() < 2 || isOver()) {
     return states;
   }
   const std::vector<float> unknown_svo(plan.front().size(),
                                        std::numeric_limits<float>::quiet_NaN());
   Partners partners(grid, distance, plan.front());
   states.push_back({partners.fixed(), unknown_svo});
-  for (std::size_t step = 1; step + 1 < plan.size(); ++step) {
+  for (std::size_t step = 1; step + 1 < plan.size() && !isOver(); ++step) {
     partners.update(plan[step]);
     states.push_back({partners.fixed(), unknown_svo});
   }

@@ -89,6 +89,13 @@ TEST_F(CommandsTest, PlanPrintsOneLineOfJsonAndWritesAPlanThatCheckAccepts) {
   EXPECT_EQ(0u, checked.output.rfind("valid: 2 agents, ", 0)) << checked.output;
 }
 
+TEST_F(CommandsTest, APlanThatIsTooLongCountsUpToTheStepLimit) {
+  const CommandResult planned = run("plan" + instance() + " --first --max-steps 1");
+  EXPECT_EQ(1, planned.status);
+  EXPECT_NE(std::string::npos, planned.output.find("step limit, 0 of 2 agents arrived\nsteps 1,"))
+      << planned.output;
+}
+
 TEST_F(CommandsTest, TheSameSeedGivesTheSameFirstPlan) {
   const auto planWith = [&](const std::string& name) {
     EXPECT_EQ(0,

@@ -71,7 +71,7 @@ TEST(PlannerTest, EveryKindReturnsLegalPlansUnderEitherMotionModel) {
       } else {
         ASSERT_TRUE(violation && violation->kind == ViolationKind::GoalNotReached);
       }
-      EXPECT_EQ(result.plan.size() - 1, result.social.size());
+      EXPECT_LE(result.social.size(), result.plan.size() - 1);  // all, if there is time
     }
   }
 }
@@ -122,7 +122,25 @@ TEST(PlannerTest, SaysWhenThePlanWouldBeTooLong) {
   for (const std::string& name : plannerNames()) {
     Rng rng(1);
     const auto planner = makePlanner(name, randomPolicy());
-    EXPECT_EQ(Outcome::StepLimit, planner->plan(instance, limits, rng).outcome);
+    const PlanningResult result = planner->plan(instance, limits, rng);
+    EXPECT_EQ(Outcome::StepLimit, result.outcome);
+    EXPECT_EQ(8U, result.plan.size()) << "as far as max_steps";
+    EXPECT_EQ(7U, result.social.size());
+  }
+}
+
+TEST(PlannerTest, SocialStatesAreOnlyMadeWhereTheyAreWanted) {
+  const Instance instance{Grid(1, 9), {{0, 0}}, {{0, 8}}, {}};
+  PlanningLimits limits;
+  limits.time_limit_s = 1.0;
+  for (const std::string& name : plannerNames()) {
+    SCOPED_TRACE(name);
+    for (const bool social_states : {false, true}) {
+      limits.social_states = social_states;
+      Rng rng(1);
+      const PlanningResult result = makePlanner(name, randomPolicy())->plan(instance, limits, rng);
+      EXPECT_EQ(social_states ? result.plan.size() - 1 : 0U, result.social.size());
+    }
   }
 }
 

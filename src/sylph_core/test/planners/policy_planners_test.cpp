@@ -65,7 +65,7 @@ class PolicyPlannersTest : public ::testing::TestWithParam<std::string> {
     return makePlanner(GetParam(), policy)->plan(instance, limits_, rng);
   }
 
-  PlanningLimits limits_{30.0, 60, true, 1};
+  PlanningLimits limits_{30.0, 60, true};
 };
 
 TEST_P(PolicyPlannersTest, GiveLegalPlansAndSocialStatesOnEveryKindOfMap) {

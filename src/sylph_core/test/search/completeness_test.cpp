@@ -100,7 +100,7 @@ TEST(LacamTest, TakesInASolutionFromElsewhere) {
   }
   const auto generator = makeDistanceGenerator(problem, 0, rng);
   Lacam lacam(problem, *generator, rng);
-  lacam.insert(plan);
+  lacam.insert(plan, Deadline(kEnough_s));
   EXPECT_TRUE(lacam.isSolved());
   EXPECT_EQ(plan, lacam.plan());
   EXPECT_EQ(8, lacam.cost());

@@ -33,7 +33,7 @@ TEST(LargeNeighborhoodSearchTest, LowersTheCostOfLegalPlans) {
     const FirstSolution first =
         findFirstSolution(problem, makeDistanceGenerator, Deadline(10.0), rng);
     ASSERT_EQ(Lacam::Status::Solved, first.status);
-    problem.distances.completeAll();
+    problem.distances.completeAll(Deadline(60.0));
     LargeNeighborhoodSearch search(problem, first.plan);
     const long cost_before = search.cost();
     search.run(Deadline(0.1), 0.5, rng);

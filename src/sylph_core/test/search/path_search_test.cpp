@@ -112,8 +112,9 @@ TEST(PathSearchTest, ArrivesAsEarlyAsAnyLegalPath) {
     for (AgentId agent = 0; agent < crowd.instance.agentCount(); ++agent) {
       ReservationTable table = crowd.tableWithout(agent);
       PathSearch search(crowd.problem.graph);
-      const VertexPath path = search.find(table, crowd.problem.starts[agent],
-                                          crowd.problem.goals[agent], crowd.horizon, crowd.rng);
+      const VertexPath path =
+          search.find(table, crowd.problem.starts[agent], crowd.problem.goals[agent], crowd.horizon,
+                      Deadline(60.0), crowd.rng);
       const Timestep expected = earliestArrival(crowd, agent);
       ASSERT_EQ(expected, static_cast<Timestep>(path.size()) - 1);
       std::vector<VertexPath> paths = crowd.paths;
@@ -122,7 +123,7 @@ TEST(PathSearchTest, ArrivesAsEarlyAsAnyLegalPath) {
       ASSERT_FALSE(violation.has_value()) << violation->message;
       EXPECT_TRUE(search
                       .find(table, crowd.problem.starts[agent], crowd.problem.goals[agent],
-                            expected - 1, crowd.rng)
+                            expected - 1, Deadline(60.0), crowd.rng)
                       .empty());
     }
   }
@@ -135,7 +136,8 @@ TEST(PathSearchTest, WideMapsTakeSeveralWordsARow) {
     ReservationTable table(problem.graph, instance.motion, 1, 2 * cols);
     Rng rng(1);
     const VertexPath path =
-        PathSearch(problem.graph).find(table, problem.starts[0], problem.goals[0], 2 * cols, rng);
+        PathSearch(problem.graph)
+            .find(table, problem.starts[0], problem.goals[0], 2 * cols, Deadline(60.0), rng);
     EXPECT_EQ(static_cast<std::size_t>(cols + 1), path.size());
   }
 }

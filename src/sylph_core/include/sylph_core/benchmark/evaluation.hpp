@@ -10,12 +10,13 @@ namespace sylph {
 
 /// What a planner's answer is worth.
 struct Evaluation {
-  bool is_solved = false;  ///< the planner says so, and checkPlan() agrees
-  PlanMetrics metrics;     ///< of the plan as far as it came
-  long sum_of_costs_lower_bound = 0;
+  bool is_solved = false;                        ///< the planner says so, and checkPlan() agrees
+  PlanMetrics metrics;                           ///< of the plan as far as it came
+  std::optional<long> sum_of_costs_lower_bound;  ///< as far as the planner came to know it
   std::optional<PlanViolation> violation;  ///< in a plan that the planner takes for a solution
 };
 
+/// Judges an answer. A plan that the planner takes for no solution is only measured.
 Evaluation evaluate(const Instance& instance, const PlanningResult& result);
 
 }  // namespace sylph

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <limits>
 #include <vector>
 
@@ -15,6 +16,7 @@ namespace sylph {
 /// agents' ways need. Not to be shared between threads before complete().
 class DistanceField {
  public:
+  /// More than any distance.
   static constexpr int kUnreachable = std::numeric_limits<std::int32_t>::max();
 
   /// @param grid  must outlive this object
@@ -34,10 +36,16 @@ class DistanceField {
     }
     return distance_[slot];
   }
+  /// To which the distances are.
   const Cell& goal() const { return goal_; }
 
-  /// Searches the whole grid.
-  void complete() const;
+  /// Searches as far as a cell inside the grid, so that at() has the answer.
+  /// @param isOver  asked now and then; whether to break off
+  /// @return whether that is done
+  bool reach(const Cell& cell, const std::function<bool()>& isOver) const;
+
+  /// Searches the whole grid. As reach().
+  bool complete(const std::function<bool()>& isOver = [] { return false; }) const;
 
  private:
   static constexpr std::int32_t kUnknown = -1;

@@ -11,8 +11,9 @@
 
 namespace sylph {
 
+/// What LaCAM with restarts came to.
 struct FirstSolution {
-  Lacam::Status status = Lacam::Status::Unfinished;
+  Lacam::Status status = Lacam::Status::Unfinished;  ///< Exhausted: there is no solution
   std::vector<Vertices> plan;  ///< the solution, or the way to the nearest configuration found
   long nodes = 0;              ///< configurations generated
 };

@@ -8,6 +8,7 @@
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_core/search/configuration_generator.hpp"
+#include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/search_problem.hpp"
 #include "sylph_core/social/social_state.hpp"
 
@@ -19,13 +20,15 @@ class Guide {
  public:
   virtual ~Guide() = default;
 
+  /// Its joint steps; must not outlive the guide.
   virtual std::unique_ptr<ConfigurationGenerator> makeGenerator() = 0;
-  /// Whether that is makeDistanceGenerator()'s.
-  virtual bool goesByDistance() const = 0;
+  /// Whether a policy guides it; otherwise it is makeDistanceGenerator()'s.
+  virtual bool isPolicyGuided() const = 0;
 
   /// Partners and SVOs along a plan.
-  /// @return one per joint action
-  virtual std::vector<SocialState> socialStates(const std::vector<Vertices>& plan) = 0;
+  /// @return one per joint action; fewer, the first ones, where the time was over before
+  virtual std::vector<SocialState> socialStates(const std::vector<Vertices>& plan,
+                                                const Deadline& deadline) = 0;
 
   /// Network evaluations so far.
   virtual long policyCalls() const = 0;

@@ -11,10 +11,11 @@
 
 namespace sylph {
 
+/// What improvement came to.
 struct Improvement {
-  std::vector<Vertices> plan;
-  long improvements = 0;  ///< times a better plan was found
-  long nodes = 0;         ///< configurations generated
+  std::vector<Vertices> plan;  ///< the cheapest known
+  long improvements = 0;       ///< times a better plan was found
+  long nodes = 0;              ///< configurations generated
 };
 
 /// Lowers the sum of costs of a solution until the time is up or it is known to be the least.

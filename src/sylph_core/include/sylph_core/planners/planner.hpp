@@ -1,12 +1,14 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_core/mapf/types.hpp"
+#include "sylph_core/search/deadline.hpp"
 #include "sylph_core/social/social_state.hpp"
 
 namespace sylph {
@@ -18,9 +20,12 @@ struct PlanningLimits {
   double time_limit_s = 5.0;         ///< wall time [s], > 0
   int max_steps = 10000;             ///< longest plan that is of use [timesteps], > 0
   bool first_solution_only = false;  ///< stop at the first solution instead of improving it
+  bool social_states = true;         ///< whether partners and SVOs along the plan are wanted
   int threads = 1;                   ///< > 0
+  Clock clock = steadyTime;          ///< by which the time limit goes: another one in tests
 };
 
+/// How a planner ended.
 enum class Outcome {
   Solved,      ///< the plan reaches all goals
   TimeLimit,   ///< no plan found in the time given
@@ -30,21 +35,28 @@ enum class Outcome {
 
 std::string toString(Outcome outcome);
 
+/// What planning took.
 struct PlanningStatistics {
   double first_solution_s = 0.0;  ///< wall time until the first solution [s]
   double total_s = 0.0;           ///< wall time of the whole call [s]
   long search_nodes = 0;          ///< configurations generated
   long improvements = 0;          ///< times a better plan replaced the best one
   long policy_calls = 0;          ///< network evaluations of one joint configuration
+  /// Sum of the distances from starts to goals; nothing if the time was over before.
+  std::optional<long> sum_of_costs_lower_bound;
 };
 
+/// What a planner found, and what it took.
 struct PlanningResult {
-  Plan plan;                        ///< best plan; if not solved, as far as the planner came
-  std::vector<SocialState> social;  ///< one per joint action: plan.size() - 1
-  Outcome outcome = Outcome::TimeLimit;
-  PlanningStatistics statistics;
+  /// Best plan; if not solved, as far as the planner came, of max_steps at most.
+  Plan plan;
+  /// One per joint action, plan.size() - 1; fewer, the first ones, where the time was over before.
+  std::vector<SocialState> social;
+  Outcome outcome = Outcome::TimeLimit;  ///< Solved: the plan is a solution
+  PlanningStatistics statistics;         ///< what it took
 };
 
+/// Plans instances, without memory of those before: calls do not depend on each other.
 class Planner {
  public:
   virtual ~Planner() = default;
@@ -52,13 +64,14 @@ class Planner {
   /// Plans an instance that requireValid() accepts.
   virtual PlanningResult plan(const Instance& instance, const PlanningLimits& limits,
                               Rng& rng) const = 0;
+  /// By which makePlanner() knows it.
   virtual std::string name() const = 0;
 };
 
 /// Names that makePlanner() accepts, the default first.
 const std::vector<std::string>& plannerNames();
 
-/// Whether a planner goes by a policy network. False for unknown names.
+/// Whether a planner is guided by a policy network. False for unknown names.
 bool needsPolicy(const std::string& planner_name);
 
 /// The policy that a planner needs, nullptr if it needs none.

@@ -11,15 +11,15 @@ namespace sylph {
 
 /// How a policy's joint steps come about.
 enum class PolicyUse {
-  TieBreaking,  ///< everybody chooses, SVO-based tie-breaking takes out the conflicts
+  TieBreaking,  ///< all agents choose by themselves, SVO-based tie-breaking takes out the conflicts
   Pibt,         ///< PIBT, whose agents want what the network says
   Search,       ///< likewise, by distance instead where a search gets nowhere with it
 };
 
-/// How a planner goes by its policy.
+/// How a planner is guided by its policy.
 struct PolicySettings {
-  MoveSettings moves;
-  SvoChoice svo_choice = SvoChoice::Mean;
+  MoveSettings moves;                      ///< how agents rank their moves
+  SvoChoice svo_choice = SvoChoice::Mean;  ///< by which SVO they act
 };
 
 /// The settings that serve each use best.

@@ -1,25 +1,19 @@
 #pragma once
 
-#include <string>
-
-#include "sylph_core/planners/guide.hpp"
-#include "sylph_core/planners/planner.hpp"
+#include "sylph_core/planners/guided_planner.hpp"
 
 namespace sylph {
 
-/// One joint step of a generator after the other until everybody is on its goal. Fast and
+/// One joint step of a generator after the other until all agents are on their goals. Fast and
 /// incomplete: agents can go round in circles until the step or time limit.
-class StepwisePlanner : public Planner {
+class StepwisePlanner : public GuidedPlanner {
  public:
-  StepwisePlanner(std::string name, GuideFactory make_guide);
-
-  PlanningResult plan(const Instance& instance, const PlanningLimits& limits,
-                      Rng& rng) const override;
-  std::string name() const override { return name_; }
+  using GuidedPlanner::GuidedPlanner;
 
  private:
-  std::string name_;
-  GuideFactory make_guide_;
+  SearchResult search(const SearchProblem& problem, Guide& guide, const PlanningLimits& limits,
+                      const Deadline& deadline, Rng& rng,
+                      PlanningStatistics& statistics) const override;
 };
 
 }  // namespace sylph

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "sylph_core/grid/distance_field.hpp"
+#include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/graph.hpp"
 
 namespace sylph {
@@ -14,6 +15,7 @@ class DistanceTables {
   /// @param grid, graph  must outlive this object
   DistanceTables(const Grid& grid, const Graph& graph, const Configuration& goals);
 
+  /// From a vertex to the goal of an agent; DistanceField::kUnreachable if there is no way.
   int get(AgentId agent, VertexId vertex) const {
     return fields_[static_cast<std::size_t>(agent)].atIndex(graph_->indexAt(vertex));
   }
@@ -21,7 +23,11 @@ class DistanceTables {
   /// Sum over the agents of the distance to their goals: a lower bound of the cost to go.
   long sum(const Vertices& configuration) const;
 
-  void completeAll() const;
+  /// Searches as far as a configuration, so that get() has the answers.
+  /// @return false if the time was over before
+  bool reach(const Vertices& configuration, const Deadline& deadline) const;
+  /// Likewise for all vertices.
+  bool completeAll(const Deadline& deadline) const;
 
   /// The same distances by cell, per agent.
   const std::vector<DistanceField>& fields() const { return fields_; }

@@ -7,6 +7,18 @@ namespace sylph {
 /// How improvement divides its time and what its searches go by. Where a value was measured the
 /// commit that brought it in says on what; "by judgement" tells that no other has been tried.
 struct ImprovementSettings {
+  // First solutions, with a policy as guide; the one by distance is there within milliseconds.
+  double policy_share = 0.25;     ///< of the time, at most, for that by the policy; by judgement
+  long most_policy_steps = 1000;  ///< calls of the generator, likewise
+
+  // Rounds: with a few agents improvement soon is in a local optimum, and other starts are worth
+  // more than time. The lab maze with 8 agents: 195 and 233 of cost where one round has 247 to 296.
+  int most_agents_of_rounds = 16;  ///< with more there is one round
+  int rounds = 4;                  ///< of equal length; by judgement
+  /// The first solutions took less than this share of the time that is left: on a computer so busy
+  /// that they take longer, rounds are too short and cost a fifth.
+  double most_first_solution_share = 0.05;
+
   // Restarts from configurations of the plan, before all else.
   /// Of the time, at most. Mazes with 128 agents: 5.30 -> 4.43 of the lower bound in 4 s.
   double restart_share = 0.15;
@@ -28,7 +40,10 @@ struct ImprovementSettings {
   double lacam_share = 0.05;
   long most_vertices_kept = 30'000'000;  ///< configurations times agents: about 1 GB of memory
 
-  // Large-neighbourhood search.
+  // Large-neighbourhood search. Its table has a layer for each timestep.
+  double most_table_bytes = 1e9;  ///< of all threads together: larger maps are improved by restarts
+  double table_bytes_per_s = 1e9;  ///< how fast a table is filled; by judgement: a slow memory
+  double table_share = 0.1;        ///< of the time, at most, to fill the first one
   /// Loss in cost accepted on average at the beginning, falling linearly to 0 at the end as in
   /// simulated annealing; by judgement: the least loss there is.
   double first_temperature = 1.0;

@@ -37,6 +37,7 @@ namespace sylph {
 /// the goal before an agent leaves it again.
 class Lacam {
  public:
+  /// What a call of search() came to, see there.
   enum class Status { Solved, Exhausted, Unfinished };
 
   /// All arguments by reference must outlive this object.
@@ -52,9 +53,11 @@ class Lacam {
   /// Unfinished: the time or the steps were not enough, another call goes on from here
   Status search(const Deadline& deadline, long max_steps);
 
-  /// Makes a solution known to the search, which then only looks for better ones.
-  void insert(const std::vector<Vertices>& plan);
+  /// Makes a solution known to the search, which then only looks for better ones; only its begin
+  /// where the time is over before.
+  void insert(const std::vector<Vertices>& plan, const Deadline& deadline);
 
+  /// Whether a solution is known, found or inserted.
   bool isSolved() const { return goal_ != nullptr; }
   /// Cost of the solution, at most its sum of costs.
   long cost() const { return goal_->cost; }

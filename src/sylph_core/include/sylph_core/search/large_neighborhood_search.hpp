@@ -22,7 +22,7 @@ namespace sylph {
 class LargeNeighborhoodSearch {
  public:
   /// @param plan     a legal plan that ends on the goals
-  /// @param problem  must outlive this object; its distances are all computed
+  /// @param problem  must outlive this object; its distances are complete if threads share them
   LargeNeighborhoodSearch(const SearchProblem& problem, const std::vector<Vertices>& plan,
                           const ImprovementSettings& settings = {});
 
@@ -33,6 +33,9 @@ class LargeNeighborhoodSearch {
   /// Goes on until the time is up or all agents go their shortest way.
   /// @param temperature  loss in cost accepted on average, >= 0
   void run(const Deadline& deadline, double temperature, Rng& rng);
+
+  /// Memory of a search that begins with a plan of a makespan.
+  static double bytesOf(const SearchProblem& problem, int makespan);
 
   /// Goes on from another legal plan if that is better than plan().
   void offer(const std::vector<Vertices>& plan);
@@ -52,8 +55,9 @@ class LargeNeighborhoodSearch {
   };
 
   std::size_t drawArm(Rng& rng) const;
-  bool replan(std::vector<AgentId> agents, long allowed_loss, Rng& rng);
-  bool planAll(const std::vector<AgentId>& agents, long max_cost, Rng& rng);
+  bool replan(std::vector<AgentId> agents, long allowed_loss, const Deadline& deadline, Rng& rng);
+  bool planAll(const std::vector<AgentId>& agents, long max_cost, const Deadline& deadline,
+               Rng& rng);
   void take(std::vector<VertexPath> paths);
   void fillTable(const std::vector<VertexPath>& paths);
   void shrinkTable();

@@ -9,8 +9,8 @@ namespace sylph {
 
 /// The vertices an agent can be on at the next timestep: its neighbours and its own.
 struct Moves {
-  std::array<VertexId, 5> targets{};
-  int count = 0;
+  std::array<VertexId, 5> targets{};  ///< the first `count` hold
+  int count = 0;                      ///< 1 ... 5
 };
 
 /// The moves of an agent, in the order of Graph::neighbors(), its own vertex last.

@@ -19,6 +19,7 @@ enum class NeighborhoodKind {
   Jam,       ///< agents close to each other in space and time, around where one loses time
 };
 
+/// All kinds.
 constexpr std::array<NeighborhoodKind, 4> kNeighborhoodKinds = {
     NeighborhoodKind::Random, NeighborhoodKind::Delayed, NeighborhoodKind::Crossing,
     NeighborhoodKind::Jam};

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sylph_core/grid/rng.hpp"
+#include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/graph.hpp"
 #include "sylph_core/search/reservation_table.hpp"
 
@@ -22,13 +23,13 @@ class PathSearch {
   /// A path from `start` at timestep 0 that arrives on `goal` for good as early as possible, and
   /// by `latest_arrival`; one of those at random.
   /// @param table  unchanged in the end; in between, moves that close a rotation are closed in it
-  /// @return empty if there is none
+  /// @return empty if there is none, or if the time was over before one was found
   VertexPath find(ReservationTable& table, VertexId start, VertexId goal, Timestep latest_arrival,
-                  Rng& rng);
+                  const Deadline& deadline, Rng& rng);
 
  private:
   Timestep spread(const ReservationTable& table, VertexId start, VertexId goal,
-                  Timestep latest_arrival);
+                  Timestep latest_arrival, const Deadline& deadline);
   VertexPath trace(const ReservationTable& table, VertexId goal, Timestep arrival, Rng& rng) const;
   bool isReached(const BitLayout& layout, VertexId vertex, Timestep timestep) const;
 

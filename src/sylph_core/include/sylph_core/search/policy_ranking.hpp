@@ -22,11 +22,11 @@ namespace sylph {
 /// most_factor), where `priority` is its own or that of an agent beside it, whichever is higher:
 /// whoever gets nowhere tries something else, and so does whoever has to make way.
 struct MoveSettings {
-  double distance_weight = 8.0;
-  double stay_penalty = 2.0;
+  double distance_weight = 8.0;   ///< of a cell nearer to the goal, in logits
+  double stay_penalty = 2.0;      ///< against waiting off the goal, in logits
   double base_temperature = 0.5;  ///< >= 0
   double least_factor = 0.1;      ///< equal to most_factor: the same temperature for all
-  double most_factor = 2.0;
+  double most_factor = 2.0;       ///< so much room for chance where agents get nowhere
 };
 
 /// Prefers what the policy network prefers in one configuration, see MoveSettings.

@@ -7,6 +7,7 @@
 
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/policy/policy_rollout.hpp"
+#include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/graph.hpp"
 
 namespace sylph {
@@ -14,10 +15,11 @@ namespace sylph {
 /// The policy's steps in the configurations that a search has come to, each asked for once.
 class PolicySteps {
  public:
+  /// A step and how the search came to it.
   struct Entry {
-    Vertices configuration;
-    const Entry* before;  ///< the step one timestep earlier, nullptr if there is none
-    PolicyStep step;
+    Vertices configuration;  ///< in which the policy was asked
+    const Entry* before;     ///< the step one timestep earlier, nullptr if there is none
+    PolicyStep step;         ///< what it said
   };
 
   /// @param rollout, graph, rng  must outlive this object
@@ -37,7 +39,8 @@ class PolicySteps {
 
   /// Partners and SVOs at each configuration of a plan but the last. Steps that were asked for
   /// along the same way are taken from there.
-  std::vector<SocialState> along(const std::vector<Vertices>& plan);
+  /// @return fewer, the first ones, where the time was over before
+  std::vector<SocialState> along(const std::vector<Vertices>& plan, const Deadline& deadline);
 
  private:
   struct Hash {

@@ -12,8 +12,10 @@ namespace sylph {
 /// Where the cells of a graph lie in rows of bits: row by row, with at least one bit that is no
 /// cell between two rows, so that a shift of the whole row of bits is a move of all cells at once.
 struct BitLayout {
+  /// Leaves room for one cell more in each row.
   explicit BitLayout(const Graph& graph);
 
+  /// Index of a vertex in a row of bits.
   std::uint32_t bitOf(VertexId vertex) const { return bits[static_cast<std::size_t>(vertex)]; }
 
   int stride;                       ///< bits from one row to the next, no multiple of 64
@@ -33,27 +35,34 @@ struct BitLayout {
 /// is closed by hand (setClosedTo()) before the path is searched again.
 class ReservationTable {
  public:
+  /// Of a move, in the order of the rows of a layer.
   enum Direction { kNorth, kEast, kSouth, kWest };
 
   /// @param horizon  last timestep, > 0; no path may be longer
   /// @param graph    must outlive this object
   ReservationTable(const Graph& graph, MotionModel motion, int agents, int horizon);
 
+  /// Memory of a table, without the paths.
+  static double bytesOf(const Graph& graph, int horizon);
+
   /// The path must not collide with those inserted. It ends at or before the horizon.
   void insert(AgentId agent, const VertexPath& path);
+  /// Takes an inserted agent out again.
   void remove(AgentId agent);
 
   /// The path of an inserted agent, empty for others.
   const VertexPath& path(AgentId agent) const { return paths_[static_cast<std::size_t>(agent)]; }
+  /// Where an inserted agent is: on its last vertex once it has arrived.
   VertexId position(AgentId agent, Timestep timestep) const {
     const VertexPath& path = paths_[static_cast<std::size_t>(agent)];
     const auto last = static_cast<Timestep>(path.size()) - 1;
     return path[static_cast<std::size_t>(timestep < last ? timestep : last)];
   }
+  /// The inserted agent on a vertex, kNoAgent if there is none.
   AgentId occupant(VertexId vertex, Timestep timestep) const {
-    return visit(vertex, timestep).agent;
+    return occupants_[slotOf(vertex, timestep)];
   }
-  /// The timestep from which on nobody is on a vertex any more, horizon + 1 if never.
+  /// The timestep from which on no agent is on a vertex any more, horizon + 1 if never.
   Timestep freeFrom(VertexId vertex) const;
 
   /// Whether a move between adjacent vertices is closed. Says nothing on who is on `to`.
@@ -67,7 +76,9 @@ class ReservationTable {
   /// the one on the path; 0 if there is none. With rotations there never is one.
   Timestep rotationClosedBy(const VertexPath& path) const;
 
+  /// The last timestep.
   int horizon() const { return horizon_; }
+  /// Of the rows of bits.
   const BitLayout& layout() const { return layout_; }
   /// Words of cells that cannot be entered at a timestep.
   const std::uint64_t* closed(Timestep timestep) const { return layer(timestep); }
@@ -79,13 +90,6 @@ class ReservationTable {
  private:
   static constexpr int kRowsPerLayer = 5;
 
-  // Who is on a vertex at a timestep, and its vertices one timestep before and after.
-  struct Visit {
-    AgentId agent = kNoAgent;
-    VertexId from = kNoVertex;
-    VertexId to = kNoVertex;
-  };
-
   const std::uint64_t* layer(Timestep timestep) const {
     return layers_.data() + static_cast<std::size_t>(timestep) *
                                 static_cast<std::size_t>(kRowsPerLayer * layout_.words);
@@ -94,13 +98,9 @@ class ReservationTable {
     return layers_.data() + static_cast<std::size_t>(timestep) *
                                 static_cast<std::size_t>(kRowsPerLayer * layout_.words);
   }
-  const Visit& visit(VertexId vertex, Timestep timestep) const {
-    return visits_[static_cast<std::size_t>(vertex) * static_cast<std::size_t>(horizon_ + 1) +
-                   static_cast<std::size_t>(timestep)];
-  }
-  Visit& visit(VertexId vertex, Timestep timestep) {
-    return visits_[static_cast<std::size_t>(vertex) * static_cast<std::size_t>(horizon_ + 1) +
-                   static_cast<std::size_t>(timestep)];
+  std::size_t slotOf(VertexId vertex, Timestep timestep) const {
+    return static_cast<std::size_t>(vertex) * static_cast<std::size_t>(horizon_ + 1) +
+           static_cast<std::size_t>(timestep);
   }
   std::uint64_t maskOf(VertexId vertex) const {
     return std::uint64_t{1} << (layout_.bitOf(vertex) % 64);
@@ -112,7 +112,7 @@ class ReservationTable {
   MotionModel motion_;
   int horizon_;
   std::vector<std::uint64_t> layers_;
-  std::vector<Visit> visits_;  // vertex by vertex, since agents rest for long
+  std::vector<AgentId> occupants_;  // vertex by vertex, since agents rest for long
   std::vector<VertexPath> paths_;
 };
 

@@ -84,8 +84,10 @@ class Partners {
 
 /// The partners at each joint action of a plan, for planners that do not choose them themselves.
 /// SVOs are unknown (NaN).
-/// @return one state per joint action: plan.size() - 1
-std::vector<SocialState> partnersAlongPlan(const Grid& grid, const DistanceToGoal& distance,
-                                           const Plan& plan);
+/// @param isOver  asked before each timestep; whether to break off
+/// @return one state per joint action, plan.size() - 1, unless broken off
+std::vector<SocialState> partnersAlongPlan(
+    const Grid& grid, const DistanceToGoal& distance, const Plan& plan,
+    const std::function<bool()>& isOver = [] { return false; });
 
 }  // namespace sylph
