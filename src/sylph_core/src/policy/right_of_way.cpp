@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "sylph_core/search/swap_rule.hpp"
+#include "sylph_core/policy/swap_rule.hpp"
 
 namespace sylph {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "sylph_core/search/swap_rule.hpp"
+#include "sylph_core/policy/swap_rule.hpp"
 
 namespace sylph {
 
