@@ -104,12 +104,70 @@ TEST(MapServerFileTest, NegatedImagesAreBrightWhereOccupied) {
   EXPECT_EQ(Grid::fromText("#.\n"), loadMap(folder.write("map.yaml", yaml)));
 }
 
+TEST(MapServerFileTest, ReadsAllOfTheNetpbmFamily) {
+  const TemporaryFolder folder;
+  const std::string yaml = folder.write("map.yaml", kMapServer);
+  const auto expect = [&](const std::string& grid, const std::string& image) {
+    folder.write("map.pgm", image);
+    EXPECT_EQ(Grid::fromText(grid), loadMap(yaml)) << image.substr(0, 20);
+  };
+  const auto bytes = [](std::initializer_list<int> values) {
+    return std::string(values.begin(), values.end());
+  };
+  expect(".#.\n##.\n", "P1\n# one is black\n3 2\n0 1 0\n1 1 0\n");
+  expect(".#.\n##.\n", "P1 3 2 010110");
+  expect(".#.\n##.\n", "P4 3 2\n" + bytes({0x40, 0xC0}));
+  expect(".#\n#.\n", "P2\n2 2\n255\n254 0\n205 255\n");
+  expect(".##\n", "P2 3 1 100 100 0 50");  // nothing behind the last digit
+  expect(".##\n", "P5 3 1 100\n" + bytes({100, 0, 50}));
+  expect(".##\n", "P5 3 1 65535\n" + bytes({0xFF, 0xFF, 0, 0, 0x80, 0}));
+  expect(".##\n", "P2 3 1 65535 65535 0 32768");
+  expect(".#\n", "P3 2 1 255 255 255 240 0 0 0");
+  expect(".#\n", "P6 2 1 255\n" + bytes({255, 255, 240, 0, 0, 0}));
+}
+
+TEST(MapServerFileTest, TakesNegateAsANumberOrAWord) {
+  const TemporaryFolder folder;
+  folder.write("map.pgm", std::string("P5 2 1 255\n\xFF\x00", 13));
+  for (const auto& [word, grid] : {std::pair<std::string, std::string>{"0", ".#\n"},
+                                   {"false", ".#\n"},
+                                   {"1", "#.\n"},
+                                   {"true", "#.\n"}}) {
+    const std::string yaml = replaced(kMapServer, "negate: 0", "negate: " + word);
+    EXPECT_EQ(Grid::fromText(grid), loadMap(folder.write("map.yaml", yaml))) << word;
+  }
+}
+
+TEST(MapServerFileTest, ReadsOccupancyFromAScaleOrRaw) {
+  const TemporaryFolder folder;
+  folder.write("map.pgm", "P2 5 1 255  0 19 20 100 255");
+  const auto gridOf = [&](const std::string& mode, const std::string& negate) {
+    return loadMap(folder.write(
+        "map.yaml", replaced(kMapServer, "negate: 0", "negate: " + negate) + "mode: " + mode));
+  };
+  EXPECT_EQ(Grid::fromText("####.\n"), gridOf("scale", "0"));
+  EXPECT_EQ(Grid::fromText("...##\n"), gridOf("scale", "1"));
+  // In percent; 255 is unknown.
+  EXPECT_EQ(Grid::fromText("..###\n"), gridOf("raw", "0"));
+  EXPECT_EQ(Grid::fromText("####.\n"), gridOf("raw", "1"));
+}
+
 TEST(MapServerFileTest, ReadsPng) {
   const TemporaryFolder folder;
-  const cv::Mat image = (cv::Mat_<unsigned char>(2, 2) << 255, 0, 255, 255);
-  ASSERT_TRUE(cv::imwrite(folder.path("map.png"), image));
-  const std::string yaml = replaced(kMapServer, "map.pgm", "map.png");
-  EXPECT_EQ(Grid::fromText(".#\n..\n"), loadMap(folder.write("map.yaml", yaml)));
+  const std::string yaml = folder.write("map.yaml", replaced(kMapServer, "map.pgm", "map.png"));
+  const auto gridOf = [&](const cv::Mat& image) {
+    EXPECT_TRUE(cv::imwrite(folder.path("map.png"), image));
+    return loadMap(yaml);
+  };
+  EXPECT_EQ(Grid::fromText(".#\n..\n"),
+            gridOf((cv::Mat_<unsigned char>(2, 2) << 255, 0, 255, 255)));
+  EXPECT_EQ(Grid::fromText(".##\n"),
+            gridOf((cv::Mat_<unsigned short>(1, 3) << 65535, 0, 52685)));  // the last is unknown
+  // Colour, and what is not opaque.
+  using Pixel = cv::Vec4b;
+  EXPECT_EQ(Grid::fromText(".#.#\n"),
+            gridOf((cv::Mat_<Pixel>(1, 4) << Pixel(255, 255, 255, 255), Pixel(0, 0, 0, 255),
+                    Pixel(240, 250, 255, 255), Pixel(255, 255, 255, 254))));
 }
 
 TEST(MapServerFileTest, NamesTheFieldThatIsWrong) {
@@ -132,7 +190,9 @@ TEST(MapServerFileTest, NamesTheFieldThatIsWrong) {
   expect(":2: resolution: is 'fine', must be a number > 0", "0.25", "fine");
   expect(":3: origin: has 2 values, must be a list of 3 numbers", ", 0.0]", "]");
   expect(":3: origin: is '.inf', must be a number finite", "1.0", ".inf");
-  expect(":4: negate: is '2', must be a whole number 0 ... 1", "negate: 0", "negate: 2");
+  expect(":4: negate: is '2', must be one of 0, 1, false, true", "negate: 0", "negate: 2");
+  expect(":7: mode: is 'costmap', must be one of trinary, scale, raw", "free_thresh: 0.196\n",
+         "free_thresh: 0.196\nmode: costmap\n");
   expect(":5: occupied_thresh: is '65', must be a number 0 ... 1", "0.65", "65");
   expect(":6: free_thresh: is above occupied_thresh, must be at most that", "0.196", "0.7");
   expect(":3: origin: is '1.0', must be a list", "[1.0, -2.0, 0.0]", "1.0");
@@ -158,13 +218,22 @@ TEST(MapServerFileTest, RefusesImagesThatAreTruncatedOversizedOrOfAnotherKind) {
     expectError("/map.pgm: " + error, [&] { loadMap(yaml); });
   };
   expectError("/map.pgm: there is no such file", [&] { loadMap(yaml); });
-  expect("is not an image of a known kind, must be PGM (binary, P5) or PNG", "");
-  expect("is not an image of a known kind, must be PGM (binary, P5) or PNG", "GIF89a");
-  expect("image is truncated", "P5 3 2 255\n12345");
-  for (const std::string header :
-       {"P5", "P5 3 2", "P5 3 x 255\n", "P5 3 -2 255\n", "P5 3 2 65535\n"}) {
-    expect("header of the PGM image must be 'P5 WIDTH HEIGHT 255'", header + "123456");
+  for (const std::string content : {"", "GIF89a", "P7 1 1 255\n1", "P0"}) {
+    expect("is not an image of a known kind, must be PNG, PGM, PBM or PPM (P1 ... P6)", content);
   }
+  for (const std::string content :
+       {"P5 3 2 255\n12345", "P5 3 2 65535\n12345678901", "P6 3 2 255\n12345678901234567",
+        "P4 9 2\n123", "P1 3 2\n01011", "P2 3 2 255\n1 1 1 1 1"}) {
+    expect("image is truncated", content);
+  }
+  expect("image is truncated or damaged", "P2 3 2 255\n255 255 255 ");
+  expect("image is truncated or damaged", "P2 2 1 255\nwhite black");
+  for (const std::string header :
+       {"P5 ", "P5 3 2", "P5 3 x 255\n", "P5 3 -2 255\n", "P5 3 2 65536\n", "P5 3 2 0\n"}) {
+    expect("header of the image must be 'P5 WIDTH HEIGHT WHITE', WHITE 1 ... 65535",
+           header + "123456");
+  }
+  expect("header of the image must be 'P4 WIDTH HEIGHT'", "P4 3 x\n123456");
   expect("image of 0 x 2 pixels: each side must be 1 ... 8192", "P5 2 0 255\n");
   expect("image of 100000 x 100000 pixels: each side must be 1 ... 8192", "P5 100000 100000 255\n");
   std::vector<unsigned char> png;

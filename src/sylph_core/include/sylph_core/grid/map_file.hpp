@@ -20,10 +20,10 @@ struct MapFile {
 ///
 /// - `.map`: MovingAI benchmark map of type octile. '.', 'G' and 'S' are free; '@', 'O', 'T' and
 ///   'W' are obstacles. Format: Sturtevant 2012, movingai.com/benchmarks/formats.html
-/// - `.yaml`, `.yml`: ROS map_server map with a PGM (binary, 8 bit) or PNG image; each pixel is a
-/// cell, the first
-///   image row is row 0. Unknown pixels (neither occupied nor free by their thresholds) are
-///   obstacles. Format: wiki.ros.org/map_server
+/// - `.yaml`, `.yml`: ROS map_server map with a PNG or Netpbm image (P1 ... P6) of 8 or 16 bits;
+///   each pixel is a cell, the first image row is row 0. Pixels that are not free (unknown, between
+///   the thresholds, not opaque) are obstacles, in each of the modes trinary, scale and raw.
+///   Format: wiki.ros.org/map_server
 ///
 /// @throws std::runtime_error with one line: file, line or field, what is wrong, what is allowed
 MapFile loadMapFile(const std::string& path);
