@@ -5,7 +5,6 @@
 #include <exception>
 #include <map>
 
-#include "sylph_core/grid/map_file.hpp"
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_planner_node/mission_text.hpp"
 #include "sylph_ros/conversions.hpp"
@@ -27,7 +26,7 @@ std::string sizeOf(const sylph::Grid& grid) {
 sylph::Grid readMap(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
   sylph::Grid grid;
   try {
-    grid = sylph::loadMap(goal.map);
+    grid = sylph::loadMapFor(lab, goal.map);
   } catch (const std::exception& error) {
     refuse(error.what());
   }

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "files/text_file.hpp"
+#include "sylph_core/control/safety_margin.hpp"
 #include "sylph_core/files/yaml_map.hpp"
+#include "sylph_core/grid/coarsen.hpp"
 #include "sylph_core/grid/map_file.hpp"
 #include "sylph_core/mapf/random_instance.hpp"
 
@@ -119,21 +121,35 @@ void requireKnownPlanner(const std::string& name) {
   }
 }
 
-/// Reads the map and the size of its cells.
-void readMap(const YamlMap& yaml, Experiment& experiment) {
+/// The cell size and where the map comes from; its cells wait for the robots' footprints.
+MapFile readMap(const YamlMap& yaml, Experiment& experiment) {
   experiment.map_path = resolvePath(experiment.path, yaml.text("map"));
   MapFile map = loadMapFile(experiment.map_path);
-  experiment.grid = std::move(map.grid);
   const double otherwise_m = map.cell_size_m.value_or(experiment.cell_size_m);
   experiment.cell_size_m = yaml.number("cell_size_m", otherwise_m, Range::positive());
   // Cells are counted from the lower left corner of the map, which is the origin of its frame.
   if (map.origin_x_m != 0.0 || map.origin_y_m != 0.0 || map.origin_yaw_rad != 0.0) {
     throw fileError(experiment.map_path, 0, "origin: must be [0, 0, 0] in an experiment");
   }
-  if (map.cell_size_m && experiment.cell_size_m != *map.cell_size_m) {
-    throw yaml.error("cell_size_m", "is not the map's resolution of " +
-                                        std::to_string(*map.cell_size_m) + " m, leave it out");
+  return map;
+}
+
+/// How far a robot that stands in its cell may reach beyond the cell's edges [m].
+double marginOf(const Experiment& experiment) {
+  const SafetyMargin margin = computeSafetyMargin(safetyFactors(experiment));
+  return std::max(0.0, margin.reach_m + margin.error_m - experiment.cell_size_m / 2.0);
+}
+
+/// @throws std::invalid_argument if there is no such map
+Grid inCellsOf(const Experiment& experiment, const MapFile& map) {
+  if (!map.cell_size_m || *map.cell_size_m == experiment.cell_size_m) {
+    return map.grid;
   }
+  if (*map.cell_size_m > experiment.cell_size_m) {
+    throw std::invalid_argument("is finer than the map's resolution of " +
+                                shortNumber(*map.cell_size_m) + " m, must be at least that");
+  }
+  return coarsened(map.grid, *map.cell_size_m, experiment.cell_size_m, marginOf(experiment));
 }
 
 /// Draws what is random and refuses starts and goals that no planner could serve.
@@ -162,7 +178,7 @@ Experiment loadExperiment(const std::string& path, const ExperimentOverrides& ov
   Experiment experiment;
   experiment.path = path;
   experiment.name = std::filesystem::path(path).stem().string();
-  readMap(yaml, experiment);
+  const MapFile map = readMap(yaml, experiment);
 
   const std::vector<std::string> sources = {"random", "explicit"};
   const bool has_random_starts = yaml.word("starts", sources, "explicit") == "random";
@@ -178,6 +194,11 @@ Experiment loadExperiment(const std::string& path, const ExperimentOverrides& ov
     experiment.execution = readExecution(*execution);
   }
   yaml.refuseUnread();
+  try {
+    experiment.grid = inCellsOf(experiment, map);
+  } catch (const std::invalid_argument& error) {
+    throw yaml.error("cell_size_m", error.what());
+  }
   if (overrides.planner) {
     requireKnownPlanner(*overrides.planner);
     experiment.planning.planner = *overrides.planner;
@@ -191,6 +212,15 @@ Experiment loadExperiment(const std::string& path, const ExperimentOverrides& ov
     throw yaml.error("robots", error.what());
   }
   return experiment;
+}
+
+Grid loadMapFor(const Experiment& experiment, const std::string& path) {
+  try {
+    return inCellsOf(experiment, loadMapFile(path));
+  } catch (const std::invalid_argument& error) {
+    throw fileError(path, 0,
+                    "resolution: the experiment's cell_size_m " + std::string(error.what()));
+  }
 }
 
 Instance toInstance(const Experiment& experiment) {

@@ -196,11 +196,38 @@ TEST_F(ExperimentTest, AMapServerMapBringsItsCellSize) {
   mapWith("[0, 0, 0]");
   EXPECT_DOUBLE_EQ(0.25, loadExperiment(write(robots)).cell_size_m);
   EXPECT_DOUBLE_EQ(0.25, loadExperiment(write(robots + "cell_size_m: 0.25\n")).cell_size_m);
-  expectError("/lab.yaml:3: cell_size_m: is not the map's resolution of 0.250000 m, leave it out",
-              [&] { loadExperiment(write(robots + "cell_size_m: 0.3\n")); });
+  expectError(
+      "/lab.yaml:3: cell_size_m: is finer than the map's resolution of 0.25 m, must be at "
+      "least that",
+      [&] { loadExperiment(write(robots + "cell_size_m: 0.2\n")); });
+  expectError(
+      "/lab.yaml:3: cell_size_m: a map of 0.250000 x 0.500000 m: smaller than one cell of "
+      "0.300000 m",
+      [&] { loadExperiment(write(robots + "cell_size_m: 0.3\n")); });
   mapWith("[1, 0, 0]");
   expectError("/m.yaml: origin: must be [0, 0, 0] in an experiment",
               [&] { loadExperiment(write(robots)); });
+}
+
+TEST_F(ExperimentTest, AMapOfSlamGetsTheExperimentsCells) {
+  std::string image = "P5 19 13 255\n" + std::string(std::size_t{19} * 13, '\xFE');
+  image[image.size() - 1 - 18] = '\x00';       // lower left pixel
+  image[image.size() - 12 * 19 - 1] = '\x00';  // upper right of those: in the part left over
+  folder_.write("slam.pgm", image);
+  folder_.write("slam.yaml",
+                "image: slam.pgm\nresolution: 0.05\norigin: [0, 0, 0]\nnegate: 0\n"
+                "occupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const std::string lab =
+      "map: slam.yaml\ncell_size_m: 0.3\nrobots: [{name: a, start: [0, 0], goal: [1, 2]}]\n";
+  const Experiment experiment = loadExperiment(write(lab));
+  EXPECT_DOUBLE_EQ(0.3, experiment.cell_size_m);
+  EXPECT_EQ(Grid::fromText("...\n#..\n"), experiment.grid);
+  EXPECT_EQ(experiment.grid, loadMapFor(experiment, folder_.path("slam.yaml")));
+  // A footprint that reaches beyond its cell: what lies beside it must be known to be free, too.
+  const Experiment wide =
+      loadExperiment(write("map: slam.yaml\ncell_size_m: 0.2\nfootprint_m: [0.23, 0.23]\n"
+                           "robots: [{name: a, start: [1, 2], goal: [1, 3]}]\n"));
+  EXPECT_EQ(Grid::fromText("#...\n#...\n####\n"), wide.grid);
 }
 
 class ShippedExperimentTest : public ::testing::TestWithParam<const char*> {};

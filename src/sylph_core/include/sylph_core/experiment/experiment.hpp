@@ -65,7 +65,7 @@ struct ExperimentOverrides {
 /// Reads an experiment file (YAML) and its map.
 ///
 ///     map: lab_maze.map            # required; taken from the experiment file's folder
-///     cell_size_m: 0.3             # a map_server map brings its own, which must then agree
+///     cell_size_m: 0.3             # of a map_server map its resolution unless given; see below
 ///     footprint_m: [0.23, 0.20]    # [length, width] of robots that do not name their own
 ///     starts: random               # random | explicit (the default): from each robot's `start`
 ///     goals: random                # random | explicit (the default): from each robot's `goal`
@@ -76,6 +76,9 @@ struct ExperimentOverrides {
 ///     planning: {planner: lacam, weights: sylph.safetensors, time_limit_s: 5.0}
 ///     execution: {speed_limit_mps: 0.25}  # and the other members of ExecutionSpec
 ///
+/// Where cell_size_m is more than a map_server map's resolution, a cell is free if its whole
+/// square, grown by what the largest footprint reaches beyond its cell, is free (grid/coarsen.hpp).
+///
 /// Weights are taken from the experiment file's folder and are read by who plans with them.
 /// Of a robot only `name` is required, and `start` and `goal` exactly where they are explicit. What
 /// is left out keeps the default of the structs above. Starts and goals satisfy requireValid().
@@ -83,6 +86,10 @@ struct ExperimentOverrides {
 /// @throws std::runtime_error with one line: file, line, field, what is wrong, what is allowed.
 /// Unknown keys are errors.
 Experiment loadExperiment(const std::string& path, const ExperimentOverrides& overrides = {});
+
+/// Another map in the experiment's cells, made of its file as the experiment's own is.
+/// @throws std::runtime_error with one line if the file is no map or its cells are larger
+Grid loadMapFor(const Experiment& experiment, const std::string& path);
 
 /// Starts and goals as a planning instance without rotations.
 Instance toInstance(const Experiment& experiment);
