@@ -48,12 +48,12 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       experiment_(sylph_ros::loadExperiment(nh)),
       margin_(sylph::requireSafetyMargin(experiment_)),
       options_(loadCentralOptions(private_nh, experiment_)),
-      frame_(experiment_.grid, experiment_.cell_size_m),
+      frame_(sylph::cellFrameOf(experiment_)),
       names_(namesOf(experiment_)),
       folder_(runFolderPath(nh, experiment_), experiment_),
       log_(folder_.eventLog(), names_),
       execution_(names_, experiment_.grid.rows(), experiment_.grid.cols(), experiment_.cell_size_m,
-                 options_.limits),
+                 options_.limits, experiment_.corner),
       diagnostics_(nh, private_nh) {
   ROS_INFO("%s", margin_.summary().c_str());
   ROS_INFO("run folder: %s", folder_.path().c_str());

@@ -103,6 +103,7 @@ Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab
   mission.map_path = goal.map;
   mission.grid = readMap(goal, lab);
   mission.cell_size_m = goal.cell_size_m;
+  mission.corner = lab.corner;
   mission.robots = goal.robots;
   for (const sylph_msgs::Cell& cell : goal.goals) {
     mission.goals.push_back(sylph_ros::fromMessage(cell));

@@ -6,7 +6,8 @@
 
 namespace sylph_planner_node {
 
-nav_msgs::OccupancyGrid toOccupancyGrid(const sylph::Grid& grid, double cell_size_m) {
+nav_msgs::OccupancyGrid toOccupancyGrid(const sylph::Grid& grid, double cell_size_m,
+                                        const sylph::Point& corner) {
   constexpr std::int8_t kFree = 0;
   constexpr std::int8_t kObstacle = 100;
   nav_msgs::OccupancyGrid message;
@@ -14,6 +15,8 @@ nav_msgs::OccupancyGrid toOccupancyGrid(const sylph::Grid& grid, double cell_siz
   message.info.resolution = static_cast<float>(cell_size_m);
   message.info.width = static_cast<std::uint32_t>(grid.cols());
   message.info.height = static_cast<std::uint32_t>(grid.rows());
+  message.info.origin.position.x = corner.x;
+  message.info.origin.position.y = corner.y;
   message.info.origin.orientation.w = 1.0;
   message.data.reserve(static_cast<std::size_t>(grid.size()));
   // OccupancyGrid counts rows from below, the grid from above.

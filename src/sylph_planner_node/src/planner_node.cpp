@@ -48,6 +48,7 @@ PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
   sylph::loadPolicyFor(lab_.planning.planner, lab_.planning.weights_path);
   mission_.grid = lab_.grid;
   mission_.cell_size_m = lab_.cell_size_m;
+  mission_.corner = lab_.corner;
   publishMap();
   diagnostics_.setHardwareID("none");
   diagnostics_.add("planner", this, &PlannerNode::report);
@@ -104,7 +105,8 @@ void PlannerNode::onAdgState(const AdgState& state) {
 }
 
 void PlannerNode::publishMap() {
-  nav_msgs::OccupancyGrid map = toOccupancyGrid(mission_.grid, mission_.cell_size_m);
+  nav_msgs::OccupancyGrid map =
+      toOccupancyGrid(mission_.grid, mission_.cell_size_m, mission_.corner);
   map.header.stamp = ros::Time::now();
   map.info.map_load_time = map.header.stamp;
   map_publisher_.publish(map);

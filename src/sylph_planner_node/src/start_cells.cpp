@@ -56,7 +56,7 @@ const geometry_msgs::PoseStamped& usablePose(const std::string& robot, const Mea
 
 sylph::Configuration startCells(const Mission& mission, const MeasuredPoses& poses, double now_s,
                                 double timeout_s) {
-  const sylph::CellFrame frame(mission.grid, mission.cell_size_m);
+  const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
   sylph::Configuration cells;
   for (const std::string& robot : mission.robots) {
     const auto& position = usablePose(robot, poses, now_s, timeout_s).pose.position;
@@ -82,7 +82,7 @@ sylph::Configuration startCells(const Mission& mission, const MeasuredPoses& pos
 std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission, const sylph::Experiment& lab,
                                            const MeasuredPoses& poses, double now_s,
                                            double timeout_s) {
-  const sylph::CellFrame frame(mission.grid, mission.cell_size_m);
+  const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
   std::vector<sylph::Cell> cells;
   for (const sylph::RobotSpec& robot : lab.robots) {
     const auto measured = poses.find(robot.name);

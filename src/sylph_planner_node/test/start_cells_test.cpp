@@ -36,6 +36,17 @@ TEST(StartCellsTest, AreTheCellsThatContainThePoses) {
             startCells(smallMission(), poses, kNow_s, kTimeout_s));
 }
 
+TEST(StartCellsTest, FollowTheCornerOfTheMap) {
+  Mission mission = smallMission();
+  mission.corner = {-10.0, 5.0};
+  MeasuredPoses poses = posesInStarts();
+  for (auto& [robot, measured] : poses) {
+    measured.pose.pose.position.x -= 10.0;
+    measured.pose.pose.position.y += 5.0;
+  }
+  EXPECT_EQ(smallStarts(), startCells(mission, poses, kNow_s, kTimeout_s));
+}
+
 TEST(StartCellsTest, NameTheRobotWithoutPose) {
   MeasuredPoses poses = posesInStarts();
   poses.erase("robot_1");

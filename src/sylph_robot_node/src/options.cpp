@@ -147,6 +147,7 @@ Options loadOptions(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh
   requireMember(experiment, options.robot);
   options.grid = experiment.grid;
   options.cell_size_m = experiment.cell_size_m;
+  options.corner = experiment.corner;
   apply(experiment.execution, options.controller);
   readController(private_nh, options.controller);
   readNumber(private_nh, {"control_rate_hz", &options.control_rate_hz, 10.0, 500.0});

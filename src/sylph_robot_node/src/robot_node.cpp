@@ -22,7 +22,7 @@ constexpr double kStampAhead_s = 0.05;
 RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : options_(loadOptions(nh, private_nh)),
       clock_(sylph_ros::SteadyClock::fromParameter(sylph_ros::suiteHandle(nh))),
-      frame_(options_.grid, options_.cell_size_m),
+      frame_(options_.grid, options_.cell_size_m, options_.corner),
       controller_(options_.controller, options_.grid, frame_),
       nh_(nh),
       updater_(nh, private_nh) {

@@ -10,7 +10,8 @@ namespace sylph_rviz {
 
 Scene sceneOf(const sylph::Experiment& experiment) {
   Scene scene;
-  scene.map = MapExtent{experiment.grid.rows(), experiment.grid.cols(), experiment.cell_size_m};
+  scene.map = MapExtent{experiment.grid.rows(), experiment.grid.cols(), experiment.cell_size_m,
+                        experiment.corner};
   for (const sylph::RobotSpec& spec : experiment.robots) {
     RobotView robot;
     robot.name = spec.name;
@@ -35,8 +36,10 @@ std::optional<MapExtent> extentOf(const nav_msgs::OccupancyGrid& message) {
   if (message.info.width == 0 || message.info.height == 0 || !(message.info.resolution > 0.0F)) {
     return std::nullopt;
   }
-  return MapExtent{static_cast<int>(message.info.height), static_cast<int>(message.info.width),
-                   static_cast<double>(message.info.resolution)};
+  return MapExtent{static_cast<int>(message.info.height),
+                   static_cast<int>(message.info.width),
+                   static_cast<double>(message.info.resolution),
+                   {message.info.origin.position.x, message.info.origin.position.y}};
 }
 
 geometry_msgs::PolygonStamped footprintOf(const RobotView& robot) {

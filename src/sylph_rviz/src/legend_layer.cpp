@@ -62,8 +62,8 @@ class Writer {
  public:
   explicit Writer(const MapExtent& map)
       : scale_(legendScale(map)),
-        x_m_(map.cols * map.cell_size_m + kMarginM * scale_),
-        y_m_(map.rows * map.cell_size_m - 0.5 * kLineM * scale_) {}
+        x_m_(map.corner.x + map.cols * map.cell_size_m + kMarginM * scale_),
+        y_m_(map.corner.y + map.rows * map.cell_size_m - 0.5 * kLineM * scale_) {}
 
   void line(const std::string& words, const std_msgs::ColorRGBA& color,
             double letter_m = kLetterM) {

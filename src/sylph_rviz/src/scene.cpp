@@ -14,7 +14,7 @@ std::optional<sylph::Point> centerOf(const Scene& scene, const sylph::Cell& cell
   if (!scene.map) {
     return std::nullopt;
   }
-  return sylph::CellFrame(scene.map->rows, scene.map->cell_size_m).toPoint(cell);
+  return sylph::CellFrame(scene.map->rows, scene.map->cell_size_m, scene.map->corner).toPoint(cell);
 }
 
 const RobotView* findRobot(const Scene& scene, const std::string& name) {

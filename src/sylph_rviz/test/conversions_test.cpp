@@ -56,12 +56,19 @@ TEST(ExtentTest, NeedsCellsAndAResolution) {
   EXPECT_EQ(5, extent->rows);
   EXPECT_EQ(7, extent->cols);
   EXPECT_DOUBLE_EQ(0.5, extent->cell_size_m);
+  message.info.origin.position.x = -10.5;
+  message.info.origin.position.y = 3.0;
+  Scene scene;
+  scene.map = extentOf(message);
+  EXPECT_DOUBLE_EQ(-10.25, centerOf(scene, {4, 0})->x);
+  EXPECT_DOUBLE_EQ(3.25, centerOf(scene, {4, 0})->y);
 }
 
 TEST(SceneOfTest, TakesRobotsGoalsAndMapFromTheExperiment) {
   sylph::Experiment experiment;
   experiment.grid = sylph::Grid(3, 4);
   experiment.cell_size_m = 0.4;
+  experiment.corner = {1.0, -2.0};
   sylph::RobotSpec robot;
   robot.name = "anna";
   robot.length_m = 0.3;
@@ -74,6 +81,8 @@ TEST(SceneOfTest, TakesRobotsGoalsAndMapFromTheExperiment) {
   EXPECT_EQ((sylph::Cell{2, 1}), scene.robots[0].goal);
   EXPECT_EQ(4, scene.map->cols);
   EXPECT_DOUBLE_EQ(0.4, scene.map->cell_size_m);
+  EXPECT_DOUBLE_EQ(1.2, centerOf(scene, {2, 0})->x);
+  EXPECT_DOUBLE_EQ(-1.8, centerOf(scene, {2, 0})->y);
 }
 
 }  // namespace

@@ -35,7 +35,7 @@ Simulation::Simulation(const SimulationOptions& options, const sylph::Experiment
                        double start_s)
     : options_(options),
       experiment_(experiment),
-      cell_frame_(experiment.grid, experiment.cell_size_m),
+      cell_frame_(sylph::cellFrameOf(experiment)),
       start_s_(start_s),
       step_s_(1.0 / options.step_rate_hz),
       time_s_(start_s),

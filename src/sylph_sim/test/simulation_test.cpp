@@ -34,6 +34,16 @@ void drive(Simulation& simulation, std::size_t robot, const sylph::Twist2d& twis
   }
 }
 
+TEST(SimulationTest, RobotsStartWhereTheMapLies) {
+  SimulationOptions options;
+  options.start_offset_m = 0.0;
+  sylph::Experiment elsewhere = corridor();
+  elsewhere.corner = {-10.0, 5.0};
+  const Simulation simulation(options, elsewhere, kStart);
+  EXPECT_NEAR(-9.85, simulation.poses()[0].x_m, 1e-9);
+  EXPECT_NEAR(5.15, simulation.poses()[0].y_m, 1e-9);
+}
+
 TEST(SimulationTest, RobotsStartNearTheirCellsCentresButNotPerfectly) {
   const SimulationOptions options;
   const Simulation simulation(options, corridor(), kStart);

@@ -7,11 +7,11 @@ namespace sylph {
 using Kind = ExecutionEvent::Kind;
 
 Execution::Execution(std::vector<std::string> robots, int rows, int cols, double cell_size_m,
-                     const ExecutionLimits& limits)
+                     const ExecutionLimits& limits, const Point& corner)
     : names_(std::move(robots)),
       rows_(rows),
       cols_(cols),
-      frame_(rows, cell_size_m),
+      frame_(rows, cell_size_m, corner),
       limits_(limits),
       robots_(names_.size(), Robot{RobotMonitor(limits), 0, 0, {}, {}}) {}
 

@@ -127,10 +127,12 @@ MapFile readMap(const YamlMap& yaml, Experiment& experiment) {
   MapFile map = loadMapFile(experiment.map_path);
   const double otherwise_m = map.cell_size_m.value_or(experiment.cell_size_m);
   experiment.cell_size_m = yaml.number("cell_size_m", otherwise_m, Range::positive());
-  // Cells are counted from the lower left corner of the map, which is the origin of its frame.
-  if (map.origin_x_m != 0.0 || map.origin_y_m != 0.0 || map.origin_yaw_rad != 0.0) {
-    throw fileError(experiment.map_path, 0, "origin: must be [0, 0, 0] in an experiment");
+  if (map.origin_yaw_rad != 0.0) {
+    throw fileError(experiment.map_path, 0,
+                    "origin: has a yaw of " + shortNumber(map.origin_yaw_rad) +
+                        " rad, must be 0: cells lie along the axes of the map, turn the image");
   }
+  experiment.corner = {map.origin_x_m, map.origin_y_m};
   return map;
 }
 
@@ -215,12 +217,24 @@ Experiment loadExperiment(const std::string& path, const ExperimentOverrides& ov
 }
 
 Grid loadMapFor(const Experiment& experiment, const std::string& path) {
+  const MapFile map = loadMapFile(path);
+  const bool is_elsewhere = map.origin_x_m != experiment.corner.x ||
+                            map.origin_y_m != experiment.corner.y || map.origin_yaw_rad != 0.0;
+  if (map.cell_size_m && is_elsewhere) {
+    throw fileError(path, 0,
+                    "origin: must be [" + shortNumber(experiment.corner.x) + ", " +
+                        shortNumber(experiment.corner.y) + ", 0] as of the experiment's map");
+  }
   try {
-    return inCellsOf(experiment, loadMapFile(path));
+    return inCellsOf(experiment, map);
   } catch (const std::invalid_argument& error) {
     throw fileError(path, 0,
                     "resolution: the experiment's cell_size_m " + std::string(error.what()));
   }
+}
+
+CellFrame cellFrameOf(const Experiment& experiment) {
+  return {experiment.grid, experiment.cell_size_m, experiment.corner};
 }
 
 Instance toInstance(const Experiment& experiment) {

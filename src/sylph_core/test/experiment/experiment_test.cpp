@@ -204,9 +204,20 @@ TEST_F(ExperimentTest, AMapServerMapBringsItsCellSize) {
       "/lab.yaml:3: cell_size_m: a map of 0.250000 x 0.500000 m: smaller than one cell of "
       "0.300000 m",
       [&] { loadExperiment(write(robots + "cell_size_m: 0.3\n")); });
-  mapWith("[1, 0, 0]");
-  expectError("/m.yaml: origin: must be [0, 0, 0] in an experiment",
-              [&] { loadExperiment(write(robots)); });
+  EXPECT_DOUBLE_EQ(0.0, loadExperiment(write(robots)).corner.x);
+  mapWith("[-10.5, 3, 0]");
+  const Experiment elsewhere = loadExperiment(write(robots));
+  EXPECT_DOUBLE_EQ(-10.375, cellFrameOf(elsewhere).toPoint({0, 0}).x);
+  EXPECT_DOUBLE_EQ(3.125, cellFrameOf(elsewhere).toPoint({0, 0}).y);
+  EXPECT_EQ(elsewhere.grid, loadMapFor(elsewhere, folder_.path("m.yaml")));
+  mapWith("[-10.5, 2, 0]");
+  expectError("/m.yaml: origin: must be [-10.5, 3, 0] as of the experiment's map",
+              [&] { loadMapFor(elsewhere, folder_.path("m.yaml")); });
+  mapWith("[0, 0, 0.1]");
+  expectError(
+      "/m.yaml: origin: has a yaw of 0.1 rad, must be 0: cells lie along the axes of the "
+      "map, turn the image",
+      [&] { loadExperiment(write(robots)); });
 }
 
 TEST_F(ExperimentTest, AMapOfSlamGetsTheExperimentsCells) {

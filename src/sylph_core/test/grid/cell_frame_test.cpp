@@ -23,6 +23,22 @@ TEST(CellFrameTest, ThereAndBackIsTheIdentity) {
   }
 }
 
+TEST(CellFrameTest, FollowsTheCornerOfTheMap) {
+  const CellFrame frame(4, 0.5, {-10.0, 3.0});
+  EXPECT_DOUBLE_EQ(-9.75, frame.toPoint({3, 0}).x);
+  EXPECT_DOUBLE_EQ(3.25, frame.toPoint({3, 0}).y);
+  for (const Cell cell : {Cell{0, 0}, Cell{3, 7}, Cell{-2, 1}, Cell{5, -3}}) {
+    EXPECT_EQ(cell, frame.toCell(frame.toPoint(cell)));
+  }
+  EXPECT_EQ((Cell{3, 0}), frame.toCell({-9.999, 3.001}));
+}
+
+TEST(CellFrameTest, RefusesACornerThatIsNotANumber) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(CellFrame(3, 0.3, {nan, 0.0}), std::invalid_argument);
+  EXPECT_THROW(CellFrame(3, 0.3, {0.0, nan}), std::invalid_argument);
+}
+
 TEST(CellFrameTest, RefusesSizesThatAreNotPositive) {
   EXPECT_THROW(CellFrame(0, 0.3), std::invalid_argument);
   EXPECT_THROW(CellFrame(3, 0.0), std::invalid_argument);

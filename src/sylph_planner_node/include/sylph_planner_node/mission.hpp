@@ -31,6 +31,7 @@ struct Mission {
   std::string map_path;
   sylph::Grid grid;
   double cell_size_m = 0.0;
+  sylph::Point corner;  ///< lower left corner of the map [m]
   std::vector<std::string> robots;
   sylph::Configuration goals;  ///< one per robot, free and distinct
   std::string planner;

@@ -19,6 +19,7 @@ struct Options {
   sylph::RobotControllerOptions controller;
   sylph::Grid grid;
   double cell_size_m = 0.0;
+  sylph::Point corner;  ///< lower left corner of the map [m]
 };
 
 /// @throws std::runtime_error naming the parameter if one is unknown, of the wrong type or out of

@@ -30,6 +30,7 @@ struct MapExtent {
   int rows = 0;              ///< cells along y
   int cols = 0;              ///< cells along x
   double cell_size_m = 0.3;  ///< side of a cell
+  sylph::Point corner = {};  ///< lower left, in frame `map` [m]
 };
 
 /// Everything that the layers are drawn from.

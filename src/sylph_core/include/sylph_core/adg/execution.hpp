@@ -24,8 +24,9 @@ class Execution {
   /// @param robots  names of all robots of the lab; their order is the index used everywhere here
   /// @param rows, cols  size of the map. Its obstacles are the planner's business: a mission may
   /// have others than the lab
+  /// @param corner  lower left corner of the map [m]
   Execution(std::vector<std::string> robots, int rows, int cols, double cell_size_m,
-            const ExecutionLimits& limits);
+            const ExecutionLimits& limits, const Point& corner = {});
 
   /// Tells that a new mission's plan has begun to arrive: what is being carried out gives way to
   /// it.

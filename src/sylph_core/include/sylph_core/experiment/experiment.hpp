@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "sylph_core/grid/cell_frame.hpp"
 #include "sylph_core/grid/grid.hpp"
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_core/planners/planner.hpp"
@@ -49,6 +50,7 @@ struct Experiment {
   std::string map_path;           ///< absolute
   Grid grid;                      ///< the map
   double cell_size_m = 0.3;       ///< side of a cell, > 0
+  Point corner;                   ///< lower left, in frame `map` [m]: a map_server map's `origin`
   std::vector<RobotSpec> robots;  ///< one or more; agent i is robot i
   std::uint32_t seed = 0;         ///< of what is random
   PlanningSpec planning;          ///< how the mission is planned
@@ -88,8 +90,12 @@ struct ExperimentOverrides {
 Experiment loadExperiment(const std::string& path, const ExperimentOverrides& overrides = {});
 
 /// Another map in the experiment's cells, made of its file as the experiment's own is.
-/// @throws std::runtime_error with one line if the file is no map or its cells are larger
+/// @throws std::runtime_error with one line if the file is no map, its cells are larger or it lies
+/// elsewhere
 Grid loadMapFor(const Experiment& experiment, const std::string& path);
+
+/// Where the experiment's cells lie in frame `map`.
+CellFrame cellFrameOf(const Experiment& experiment);
 
 /// Starts and goals as a planning instance without rotations.
 Instance toInstance(const Experiment& experiment);

@@ -7,14 +7,18 @@
 namespace sylph {
 
 /// The one conversion between cells and metres of the suite. Points are in the `map` frame: x
-/// right, y up, origin at the lower left corner of the map.
+/// right, y up; its origin is the lower left corner of the map, unless the map says where that
+/// corner lies in it.
 ///
-/// x = (col + 0.5) * cell_size_m, y = (rows - row - 0.5) * cell_size_m
+/// x = corner.x + (col + 0.5) * cell_size_m, y = corner.y + (rows - row - 0.5) * cell_size_m
 class CellFrame {
  public:
-  /// @throws std::invalid_argument unless rows > 0 and cell_size_m is finite and > 0
-  CellFrame(int rows, double cell_size_m);
-  CellFrame(const Grid& grid, double cell_size_m) : CellFrame(grid.rows(), cell_size_m) {}
+  /// @param corner  the lower left corner of the map [m]
+  /// @throws std::invalid_argument unless rows > 0, cell_size_m is finite and > 0 and the corner is
+  /// finite
+  CellFrame(int rows, double cell_size_m, const Point& corner = {});
+  CellFrame(const Grid& grid, double cell_size_m, const Point& corner = {})
+      : CellFrame(grid.rows(), cell_size_m, corner) {}
 
   /// Centre of a cell [m].
   Point toPoint(const Cell& cell) const;
@@ -27,6 +31,7 @@ class CellFrame {
  private:
   int rows_;
   double cell_size_m_;
+  Point corner_;
 };
 
 }  // namespace sylph
