@@ -47,6 +47,22 @@ std::string joined(const std::vector<std::string>& words) {
 
 }  // namespace
 
+std::optional<std::string> textOf(const XmlRpcValue& value) {
+  switch (value.getType()) {
+    case XmlRpcValue::TypeString:
+      return static_cast<const std::string&>(value);
+    case XmlRpcValue::TypeInt:
+      return shown(value);
+    case XmlRpcValue::TypeDouble: {
+      const std::string text = shown(value);
+      const bool is_whole = text.find_first_not_of("-0123456789") == std::string::npos;
+      return text + (is_whole ? ".0" : "");
+    }
+    default:
+      return std::nullopt;
+  }
+}
+
 ParameterReader::ParameterReader() : ParameterReader("~", {}) {}
 
 ParameterReader::ParameterReader(const ros::NodeHandle& nh)
@@ -112,10 +128,11 @@ void ParameterReader::read(const std::string& name, bool& value, const std::stri
 void ParameterReader::read(const std::string& name, std::string& value,
                            const std::string& meaning) {
   if (const auto* found = find(name, inQuotes(value), "", meaning)) {
-    if (found->getType() != XmlRpcValue::TypeString) {
+    const std::optional<std::string> text = textOf(*found);
+    if (!text) {
       throw error(name, "must be a text");
     }
-    value = static_cast<const std::string&>(*found);
+    value = *text;
   }
 }
 

@@ -6,6 +6,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sylph_ros/parameter_reader.hpp"
+
 namespace sylph_ros {
 namespace {
 
@@ -36,7 +38,15 @@ void read(const ros::NodeHandle& nh, const std::string& name, bool& value) {
   readAs(nh, name, value, "true or false");
 }
 void read(const ros::NodeHandle& nh, const std::string& name, std::string& value) {
-  readAs(nh, name, value, "a text");
+  XmlRpc::XmlRpcValue found;
+  if (!nh.getParam(name, found)) {
+    return;
+  }
+  const std::optional<std::string> text = textOf(found);
+  if (!text) {
+    throw std::runtime_error("parameter " + nh.resolveName(name) + ": must be a text");
+  }
+  value = *text;
 }
 void read(const ros::NodeHandle& nh, const std::string& name, std::vector<std::string>& value) {
   readAs(nh, name, value, "a list of texts");

@@ -80,6 +80,19 @@ TEST(ParameterReaderTest, TakesWhatIsSet) {
   EXPECT_EQ(0.5, options.lag_s);
 }
 
+TEST(ParameterReaderTest, TakesANumberForTheTextThatItLooksLike) {
+  const auto frameOf = [](const XmlRpc::XmlRpcValue& value) {
+    XmlRpc::XmlRpcValue values;
+    values["frame"] = value;
+    ParameterReader reader("/lab/node", values);
+    return readOptions(reader).frame;
+  };
+  EXPECT_EQ("7", frameOf(7));
+  EXPECT_EQ("3.0", frameOf(3.0));
+  EXPECT_EQ("2.11", frameOf(2.11));
+  EXPECT_EQ("-0.5", frameOf(-0.5));
+}
+
 TEST(ParameterReaderTest, RefusesWhatIsOutOfBoundsByName) {
   EXPECT_EQ("parameter /lab/node/speed_mps = 0: must be > 0",
             complaint([](auto& values) { values["speed_mps"] = 0.0; }));
@@ -100,8 +113,8 @@ TEST(ParameterReaderTest, RefusesAWrongTypeByName) {
             complaint([](auto& values) { values["count"] = 2.5; }));
   EXPECT_EQ("parameter /lab/node/loud = 1: must be true or false",
             complaint([](auto& values) { values["loud"] = 1; }));
-  EXPECT_EQ("parameter /lab/node/frame = 7: must be a text",
-            complaint([](auto& values) { values["frame"] = 7; }));
+  EXPECT_EQ("parameter /lab/node/frame = true: must be a text",
+            complaint([](auto& values) { values["frame"] = true; }));
   EXPECT_EQ("parameter /lab/node/base = 0.1: must be a group of parameters",
             complaint([](auto& values) { values["base"] = 0.1; }));
   EXPECT_EQ("parameter /lab/node/faults = \"many\": must be a list",

@@ -4,6 +4,7 @@
 #include <ros/node_handle.h>
 
 #include <memory>
+#include <optional>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,6 +13,11 @@
 #include "sylph_core/files/range.hpp"
 
 namespace sylph_ros {
+
+/// A parameter as a text: YAML makes a number of a text that looks like one, such as the version
+/// 3.0 without quotes.
+/// @return nothing if it is neither text nor number
+std::optional<std::string> textOf(const XmlRpc::XmlRpcValue& value);
 
 /// The parameters of one node, read strictly: what is set has to have the right type and to lie
 /// within its bounds, and what nobody has asked for is refused.
@@ -36,6 +42,7 @@ class ParameterReader {
   void read(const std::string& name, int& value, const sylph::Range& range,
             const std::string& meaning);
   void read(const std::string& name, bool& value, const std::string& meaning);
+  /// A number is taken for the text that it looks like.
   void read(const std::string& name, std::string& value, const std::string& meaning);
 
   /// One of a few words; a default that is not among them cannot be.
