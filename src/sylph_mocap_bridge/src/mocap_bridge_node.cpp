@@ -88,8 +88,8 @@ void MocapBridgeNode::onRestart() {
 void MocapBridgeNode::reportLink(diagnostic_updater::DiagnosticStatusWrapper& report) {
   const Finding finding = input_->look(report);
   report.summary(levelOf(finding.severity), finding.text);
-  if (finding.text != last_finding_) {
-    last_finding_ = finding.text;
+  // The error stream: roslaunch shows it on the screen, whatever the node's output is set to.
+  if (announcer_.isDue(finding, ros::SteadyTime::now().toSec())) {
     if (finding.severity == Severity::Ok) {
       ROS_INFO("motion capture: %s", finding.text.c_str());
     } else {

@@ -213,4 +213,17 @@ Finding topicsFinding(const std::vector<std::string>& unpublished,
                       : Finding{Severity::Error, text};
 }
 
+bool Announcer::isDue(const Finding& finding, double now_s) {
+  if (last_ && last_->severity == finding.severity) {
+    const bool is_same = last_->text == finding.text;
+    const double pause_s = is_same ? kRepeatS : kLeastPauseS;
+    if (now_s - last_s_ < pause_s || (is_same && finding.severity == Severity::Ok)) {
+      return false;
+    }
+  }
+  last_ = finding;
+  last_s_ = now_s;
+  return true;
+}
+
 }  // namespace sylph_mocap_bridge

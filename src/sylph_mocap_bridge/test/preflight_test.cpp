@@ -187,5 +187,27 @@ TEST(TopicsFindingTest, SaysWhenThereIsNoDriverAtAll) {
             finding.text);
 }
 
+TEST(AnnouncerTest, SaysWhatIsNewAndRepeatsWhatStaysWrong) {
+  const Finding wrong{Severity::Error, "no answer"};
+  const Finding good{Severity::Ok, "frames come"};
+  Announcer announcer;
+  EXPECT_TRUE(announcer.isDue(wrong, 100.0));
+  EXPECT_FALSE(announcer.isDue(wrong, 101.0));
+  EXPECT_FALSE(announcer.isDue(wrong, 100.0 + 0.99 * Announcer::kRepeatS));
+  EXPECT_TRUE(announcer.isDue(wrong, 100.0 + Announcer::kRepeatS));
+  EXPECT_TRUE(announcer.isDue(good, 131.0));
+  EXPECT_FALSE(announcer.isDue(good, 1000.0));
+  EXPECT_TRUE(announcer.isDue(wrong, 1001.0));
+}
+
+TEST(AnnouncerTest, MakesNoFloodOfFindingsThatChangeAllTheTime) {
+  Announcer announcer;
+  int said = 0;
+  for (int second = 0; second < 60; ++second) {
+    said += announcer.isDue({Severity::Error, std::to_string(second)}, second) ? 1 : 0;
+  }
+  EXPECT_EQ(12, said);
+}
+
 }  // namespace
 }  // namespace sylph_mocap_bridge

@@ -12,6 +12,7 @@
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_mocap_bridge/measurement_input.hpp"
 #include "sylph_mocap_bridge/options.hpp"
+#include "sylph_mocap_bridge/preflight.hpp"
 #include "sylph_mocap_bridge/robot_publishers.hpp"
 #include "sylph_mocap_bridge/robot_tracks.hpp"
 
@@ -39,7 +40,7 @@ class MocapBridgeNode : public MeasurementSink {
   RobotTracks tracks_;          ///< guarded by mutex_
   RobotPublishers publishers_;  ///< of the input's thread alone
   std::vector<TrackCounts> seen_counts_;
-  std::string last_finding_;
+  Announcer announcer_;
   std::unique_ptr<MeasurementInput> input_;
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer diagnostics_timer_;

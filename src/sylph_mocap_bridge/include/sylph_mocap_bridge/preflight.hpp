@@ -50,4 +50,20 @@ Finding topicsFinding(const std::vector<std::string>& unpublished,
                       const std::vector<std::string>& silent,
                       const std::vector<std::string>& existing);
 
+/// Tells when a finding is worth a line on the screen: when it is another one, and now and then
+/// while something stays wrong, since the line of the start has scrolled away by then. Findings
+/// that change all the time make no flood.
+class Announcer {
+ public:
+  static constexpr double kRepeatS = 30.0;
+  static constexpr double kLeastPauseS = 5.0;  ///< between findings of one severity
+
+  /// @param now_s  of a steady clock
+  bool isDue(const Finding& finding, double now_s);
+
+ private:
+  std::optional<Finding> last_;
+  double last_s_ = 0.0;
+};
+
 }  // namespace sylph_mocap_bridge
