@@ -13,8 +13,8 @@ namespace {
 /// Who is where and who heads where, kept up to date while actions change to Stay.
 class JointAction {
  public:
-  JointAction(const Configuration& cells, const std::vector<Action>& wishes)
-      : cells_(cells), actions_(wishes) {
+  JointAction(const Configuration& cells, const std::vector<Action>& desired)
+      : cells_(cells), actions_(desired) {
     for (std::size_t agent = 0; agent < cells.size(); ++agent) {
       const auto id = static_cast<AgentId>(agent);
       if (!occupant_.emplace(cells[agent], id).second) {
@@ -113,13 +113,13 @@ class ConsiderationChain {
 }  // namespace
 
 TieBreaking breakTies(const Grid& grid, const MotionModel& motion, const Configuration& cells,
-                      const std::vector<Action>& wishes, const std::vector<float>& svo_deg) {
-  if (wishes.size() != cells.size() || svo_deg.size() != cells.size()) {
+                      const std::vector<Action>& desired, const std::vector<float>& svo_deg) {
+  if (desired.size() != cells.size() || svo_deg.size() != cells.size()) {
     throw std::invalid_argument(std::to_string(cells.size()) + " cells, " +
-                                std::to_string(wishes.size()) + " actions and " +
+                                std::to_string(desired.size()) + " actions and " +
                                 std::to_string(svo_deg.size()) + " SVOs: must be one per agent");
   }
-  JointAction joint(cells, wishes);
+  JointAction joint(cells, desired);
   ConsiderationChain chain(svo_deg);
   std::vector<bool> is_penalized(cells.size(), false);
   const auto penalize = [&](AgentId agent, AgentId rival) {

@@ -68,10 +68,10 @@ Configuration randomStep(const Instance& instance, const std::vector<DistanceFie
   for (std::size_t agent = 0; agent < cells.size(); ++agent) {
     const std::vector<Cell> path = shortestPath(fields[agent], cells[agent]);
     const bool follows = path.size() > 1 && drawFraction(rng) < 0.7;
-    const Cell wish =
+    const Cell desired =
         follows ? path[1] : neighbor(cells[agent], kActions[drawIndex(rng, kActions.size())]);
-    if (instance.grid.isFree(wish) && std::count(next.begin(), next.end(), wish) == 0) {
-      next[agent] = wish;
+    if (instance.grid.isFree(desired) && std::count(next.begin(), next.end(), desired) == 0) {
+      next[agent] = desired;
     }
   }
   return next;

@@ -17,7 +17,7 @@ struct World {
   Grid grid;
   MotionModel motion;
   Configuration cells;
-  std::vector<Action> wishes;
+  std::vector<Action> desired;
   std::vector<float> svo_deg;
 };
 
@@ -36,14 +36,14 @@ World randomWorld(Rng& rng) {
   shuffle(world.cells, rng);
   world.cells.resize(static_cast<std::size_t>(draw(rng, static_cast<int>(world.cells.size()) + 1)));
   for (std::size_t agent = 0; agent < world.cells.size(); ++agent) {
-    world.wishes.push_back(kActions[static_cast<std::size_t>(draw(rng, kActionCount))]);
+    world.desired.push_back(kActions[static_cast<std::size_t>(draw(rng, kActionCount))]);
     world.svo_deg.push_back(static_cast<float>(svoOfLevel(draw(rng, kSvoLevelCount))));
   }
   return world;
 }
 
 TieBreaking breakTies(const World& world) {
-  return breakTies(world.grid, world.motion, world.cells, world.wishes, world.svo_deg);
+  return breakTies(world.grid, world.motion, world.cells, world.desired, world.svo_deg);
 }
 
 Configuration reached(const World& world, const std::vector<Action>& actions) {
@@ -57,7 +57,7 @@ Configuration reached(const World& world, const std::vector<Action>& actions) {
 /// Alg. 3 line by line, everything looked up anew by comparing all pairs.
 TieBreaking literalAlgorithm3(const World& world) {
   const std::size_t count = world.cells.size();
-  std::vector<Action> actions = world.wishes;
+  std::vector<Action> actions = world.desired;
   std::vector<bool> penalized(count, false);
   std::deque<std::size_t> chain;
   for (std::size_t agent = 0; agent < count; ++agent) {
@@ -117,7 +117,7 @@ TEST(BreakTiesProperty, ResultIsFreeOfConflictsAndOnlyStops) {
     const World world = randomWorld(rng);
     const TieBreaking result = breakTies(world);
     for (std::size_t agent = 0; agent < world.cells.size(); ++agent) {
-      ASSERT_TRUE(result.actions[agent] == world.wishes[agent] ||
+      ASSERT_TRUE(result.actions[agent] == world.desired[agent] ||
                   result.actions[agent] == Action::Stay);
     }
     const Configuration next = reached(world, result.actions);
@@ -170,7 +170,7 @@ TEST(BreakTiesTest, ARingTurnsOnlyWithRotations) {
               {{0, 0}, {0, 1}, {1, 1}, {1, 0}},
               {Action::East, Action::South, Action::West, Action::North},
               {0.F, 5.F, 45.F, 10.F}};
-  EXPECT_EQ(world.wishes, breakTies(world).actions);
+  EXPECT_EQ(world.desired, breakTies(world).actions);
   world.motion.rotations = false;
   const TieBreaking result = breakTies(world);
   EXPECT_EQ(std::vector<Action>(4, Action::Stay), result.actions);

@@ -10,7 +10,7 @@ namespace sylph {
 
 /// Joint action without conflicts, and who is to blame for the change.
 struct TieBreaking {
-  std::vector<Action> actions;     ///< per agent; each is the agent's wish or Stay
+  std::vector<Action> actions;     ///< per agent; each is the agent's desired action or Stay
   std::vector<bool> is_penalized;  ///< per agent: gets the collision penalty instead of its reward
 };
 
@@ -24,14 +24,14 @@ struct TieBreaking {
 /// is *not* empty, and agents are taken from its most prosocial end.
 ///
 /// Terminates, since an action only ever changes to Stay and only agents that move are considered
-/// again. Without rotations (`motion.rotations == false`) a ring is a restricted action of the
+/// again. Where `motion.rotations == false`, a rotation is a restricted action of the
 /// member that is considered first, the most prosocial one.
 ///
 /// @param cells    distinct free cells of the agents
-/// @param wishes   one action per agent
+/// @param desired  one action per agent
 /// @param svo_deg  SVO of each agent [deg]
 /// @throws std::invalid_argument if the sizes differ or two agents share a cell
 TieBreaking breakTies(const Grid& grid, const MotionModel& motion, const Configuration& cells,
-                      const std::vector<Action>& wishes, const std::vector<float>& svo_deg);
+                      const std::vector<Action>& desired, const std::vector<float>& svo_deg);
 
 }  // namespace sylph
