@@ -1,5 +1,6 @@
 #include "sylph_robot_node/robot_node.hpp"
 
+#include <diagnostic_msgs/DiagnosticStatus.h>
 #include <ros/console.h>
 #include <ros/init.h>
 #include <ros/transport_hints.h>
