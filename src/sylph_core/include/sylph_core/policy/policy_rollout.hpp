@@ -35,7 +35,7 @@ struct PolicyStep {
 /// whatever the network says, and that is also what the network gets to see of it.
 class PolicyRollout {
  public:
-  /// @param policy, grid, distances  must outlive this object
+  /// @param policy, grid  must outlive this object, as distances must
   /// @param distances  per agent the distances to its goal
   /// @param threads    that the network may use, > 0
   PolicyRollout(const Policy& policy, const Grid& grid, const std::vector<DistanceField>& distances,
