@@ -90,7 +90,8 @@ void observation(benchmark::State& state) {
   ObservationEncoder encoder(crowd.instance().grid, crowd.distances());
   const std::size_t count = crowd.instance().starts.size();
   const AgentStates states = {crowd.cells().back(), std::vector<Action>(count, Action::North),
-                              std::vector<float>(count, 20.F)};
+                              std::vector<float>(count, 20.F), std::vector<int>(count, 1),
+                              std::vector<float>(count, 0.5F)};
   AgentRows views(state.range(0), kObservationSize);
   AgentRows vectors(state.range(0), kVectorSize);
   for (auto _ : state) {
@@ -129,9 +130,9 @@ void jointStep(benchmark::State& state) {
 
 void wholeStep(benchmark::State& state) {
   const Crowd crowd(static_cast<int>(state.range(0)));
-  PolicyRollout rollout(defaultPolicy(), crowd.instance().grid, crowd.distances(), SvoChoice::Mean,
-                        static_cast<int>(state.range(1)));
   Rng rng(1);
+  PolicyRollout rollout(defaultPolicy(), crowd.instance().grid, crowd.distances(), SvoChoice::Mean,
+                        static_cast<int>(state.range(1, rng);
   PolicyStep step = rollout.nothingKnown();
   std::size_t timestep = 0;
   for (auto _ : state) {

@@ -21,7 +21,9 @@ class PolicyGuide : public Guide {
         problem_(&problem),
         grid_(&instance.grid),
         rng_(&rng),
-        rollout_(*policy_, instance.grid, problem.distances.fields(), settings.svo_choice, threads),
+        tie_breaks_(rng),
+        rollout_(*policy_, instance.grid, problem.distances.fields(), settings.svo_choice, threads,
+                 tie_breaks_),
         steps_(rollout_, problem.graph, rng) {}
 
   std::unique_ptr<ConfigurationGenerator> makeGenerator() override {
@@ -51,6 +53,7 @@ class PolicyGuide : public Guide {
   const Grid* grid_;
   Rng* rng_;
   PolicyRollout rollout_;
+  Rng tie_breaks_;  // a copy: the planner draws what it would draw without a policy
   PolicySteps steps_;
 };
 

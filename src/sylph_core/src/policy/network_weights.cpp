@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 #include "sylph_core/grid/action.hpp"
@@ -17,12 +18,40 @@ constexpr int kPatch = 9;         // pixels of a 3 x 3 convolution
 constexpr int kQuarterCells = 9;  // pixels after the last convolution
 constexpr int kMaxWidth = 4096;
 
-std::string join(const std::array<std::string, kChannelCount>& names) {
+/// What the network sees, a line for each number.
+std::vector<std::string> observationLines() {
+  std::vector<std::string> lines;
+  for (const ObservationEntry& entry : observationEntries()) {
+    lines.push_back(entry.toText());
+  }
+  return lines;
+}
+
+std::string join(const std::vector<std::string>& lines) {
   std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ",") + name;
+  for (const std::string& line : lines) {
+    text += (text.empty() ? "" : "\n") + line;
   }
   return text;
+}
+
+/// @throws std::invalid_argument naming the first entry that is another than this build's
+void requireSameObservation(const std::string& described) {
+  std::istringstream stream(described);
+  const std::vector<std::string> wanted = observationLines();
+  std::size_t index = 0;
+  for (std::string line; std::getline(stream, line); ++index) {
+    if (index >= wanted.size() || line != wanted[index]) {
+      throw std::invalid_argument(
+          "metadata 'observation' has '" + line + "' as entry " + std::to_string(index) +
+          ": must be " +
+          (index < wanted.size() ? "'" + wanted[index] + "'" : "none, this build sees less"));
+    }
+  }
+  if (index < wanted.size()) {
+    throw std::invalid_argument("metadata 'observation' lacks entry " + std::to_string(index) +
+                                ", '" + wanted[index] + "'");
+  }
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
@@ -149,10 +178,7 @@ NetworkShape NetworkShape::fromMetadata(const std::map<std::string, std::string>
     throw std::invalid_argument("metadata 'architecture' is '" + text("architecture") +
                                 "': must be '" + kArchitecture + "'");
   }
-  if (text("channel_names") != join(channelNames())) {
-    throw std::invalid_argument("metadata 'channel_names' is '" + text("channel_names") +
-                                "': must be '" + join(channelNames()) + "'");
-  }
+  requireSameObservation(text("observation"));
   NetworkShape shape;
   for (const auto& [entry, member] : members()) {
     try {
@@ -168,7 +194,7 @@ NetworkShape NetworkShape::fromMetadata(const std::map<std::string, std::string>
 
 std::map<std::string, std::string> NetworkShape::toMetadata() const {
   std::map<std::string, std::string> metadata = {{"architecture", kArchitecture},
-                                                 {"channel_names", join(channelNames())}};
+                                                 {"observation", join(observationLines())}};
   for (const auto& [entry, member] : members()) {
     metadata[entry] = std::to_string(this->*member);
   }

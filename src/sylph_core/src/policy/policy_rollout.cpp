@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sylph_core/social/precedence.hpp"
 #include "sylph_core/social/svo.hpp"
 
 namespace sylph {
@@ -58,7 +59,7 @@ Configuration goalsOf(const std::vector<DistanceField>& distances) {
 
 PolicyRollout::PolicyRollout(const Policy& policy, const Grid& grid,
                              const std::vector<DistanceField>& distances, SvoChoice svo_choice,
-                             int threads)
+                             int threads, Rng& rng)
     : policy_(&policy),
       svo_choice_(svo_choice),
       threads_(std::clamp(static_cast<int>(distances.size()) / kFewestAgentsOfThread, 1, threads)),
@@ -69,14 +70,23 @@ PolicyRollout::PolicyRollout(const Policy& policy, const Grid& grid,
           [&distances](AgentId agent, const Cell& cell) {
             return distances[static_cast<std::size_t>(agent)].at(cell);
           },
-          goalsOf(distances)) {}  // anywhere: follow() tells where the agents are
+          goalsOf(distances)) {  // anywhere: follow() tells where the agents are
+  for (std::size_t agent = 0; agent < distances.size(); ++agent) {
+    tie_breaks_.push_back(static_cast<float>(drawFraction(rng)));
+  }
+}
 
 PolicyStep PolicyRollout::nothingKnown() const {
+  const std::size_t count = distances_->size();
   PolicyStep step;
-  step.svo = AgentRows::Constant(static_cast<Eigen::Index>(distances_->size()), kSvoLevelCount,
-                                 1.F / kSvoLevelCount);
-  step.social.svo_deg.assign(distances_->size(), meanAngle(step.svo.data()));
-  step.social.partners.resize(distances_->size());
+  step.waited.assign(count, 0);
+  step.svo.resize(static_cast<Eigen::Index>(count), kSvoLevelCount);
+  for (std::size_t agent = 0; agent < count; ++agent) {
+    step.social.svo_deg.push_back(svoByWaiting(1, tie_breaks_[agent]));
+    spreadOverLevels(step.social.svo_deg[agent],
+                     step.svo.row(static_cast<Eigen::Index>(agent)).data());
+  }
+  step.social.partners.resize(count);
   std::iota(step.social.partners.begin(), step.social.partners.end(), 0);
   return step;
 }
@@ -89,14 +99,20 @@ PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& 
     throw std::invalid_argument("a step of " + std::to_string(to.size()) + " agents: must be " +
                                 std::to_string(count));
   }
-  AgentStates states{to, {}, before.social.svo_deg};
+  AgentStates states{to, {}, before.social.svo_deg, before.waited, tie_breaks_};
   NetworkInput input;
   input.svo = before.svo;
   for (std::size_t agent = 0; agent < count; ++agent) {
     states.last_moves.push_back(actionBetween(from[agent], to[agent]).value_or(Action::Stay));
-    if (to[agent] == (*distances_)[agent].goal()) {
+    const bool is_home = to[agent] == (*distances_)[agent].goal();
+    states.waited[agent] = is_home ? 0 : states.waited[agent] + 1;
+    auto svo = input.svo.row(static_cast<Eigen::Index>(agent));
+    if (svo_choice_ == SvoChoice::Waiting) {
+      states.svo_deg[agent] = svoByWaiting(states.waited[agent], tie_breaks_[agent]);
+      spreadOverLevels(states.svo_deg[agent], svo.data());
+    } else if (is_home) {
       states.svo_deg[agent] = static_cast<float>(svoOfLevel(kMostProsocialLevel));
-      makeMostProsocial(input.svo.row(static_cast<Eigen::Index>(agent)));
+      makeMostProsocial(svo);
     }
   }
   input.memory = before.memory.size() > 0 ? before.memory
@@ -122,22 +138,26 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, Rng& 
   step.actions = std::move(output.actions);
   silenceUnlessFinite(step.actions);
   silenceUnlessFinite(output.svo);
-  step.svo = softmax(output.svo);
+  step.svo = svo_choice_ == SvoChoice::Waiting ? std::move(input.svo) : softmax(output.svo);
+  step.waited = std::move(states.waited);
   step.social.partners = std::move(input.partners);
   for (Eigen::Index agent = 0; agent < rows; ++agent) {
-    if (states.cells[static_cast<std::size_t>(agent)] ==
-        (*distances_)[static_cast<std::size_t>(agent)].goal()) {
+    const auto index = static_cast<std::size_t>(agent);
+    if (states.cells[index] == (*distances_)[index].goal()) {
       makeMostProsocial(step.svo.row(agent));
     }
-    const float* probabilities = step.svo.row(agent).data();
-    step.social.svo_deg.push_back(svo_choice_ == SvoChoice::Mean ? meanAngle(probabilities)
-                                                                 : drawnAngle(probabilities, rng));
+    step.social.svo_deg.push_back(actedBy(step.svo.row(agent).data(), rng));
   }
   if (policy_->hasMemory()) {
     step.memory = std::move(output.memory);
     silenceUnlessFinite(step.memory);
   }
   return step;
+}
+
+float PolicyRollout::actedBy(const float* probabilities, Rng& rng) const {
+  return svo_choice_ == SvoChoice::Sample ? drawnAngle(probabilities, rng)
+                                          : meanAngle(probabilities);
 }
 
 }  // namespace sylph

@@ -115,7 +115,7 @@ INSTANTIATE_TEST_SUITE_P(All, PolicyPlannersTest, ::testing::ValuesIn(kPolicyPla
 /// LaCAM by the policy alone, without the planner's search by distance.
 Lacam::Status searchByPolicy(const Instance& instance, const Policy& policy, Rng& rng) {
   const SearchProblem problem(instance);
-  PolicyRollout rollout(policy, instance.grid, problem.distances.fields(), SvoChoice::Mean, 1);
+  PolicyRollout rollout(policy, instance.grid, problem.distances.fields(), SvoChoice::Mean, 1, rng);
   PolicySteps steps(rollout, problem.graph, rng);
   PolicyGenerator generator(problem, steps, MoveSettings(), PolicyPatience(), rng);
   Lacam lacam(problem, generator, rng);

@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <set>
+#include <sstream>
 #include <stdexcept>
 
 namespace sylph {
@@ -18,6 +20,8 @@ class ObservationTest : public ::testing::Test {
     states_.cells = {{2, 2}, {2, 1}, {1, 4}};
     states_.last_moves = {Action::East, Action::Stay, Action::South};
     states_.svo_deg = {20.F, 45.F, 5.F};
+    states_.waited = {16, 0, 400};
+    states_.tie_breaks = {0.25F, 0.5F, 0.75F};
   }
 
   void encode(AgentId agent) {
@@ -68,7 +72,10 @@ TEST_F(ObservationTest, SeesTheWayRoundAnObstacle) {
 TEST_F(ObservationTest, SeesTheOthersAndWhatTheyWant) {
   encode(0);
   EXPECT_EQ(1.F, at(0, {2, 2}, Channel::Agent));
-  EXPECT_EQ(0.F, at(0, {2, 2}, Channel::CameEast)) << "not one's own last move";
+  EXPECT_EQ(1.F, at(0, {2, 2}, Channel::CameEast)) << "one's own last move";
+  EXPECT_EQ(0.F, at(0, {2, 2}, Channel::WishesNorth)) << "that stands in one's own way";
+  EXPECT_FLOAT_EQ(25.F / 45.F, at(0, {2, 1}, Channel::SvoGap));
+  EXPECT_FLOAT_EQ(-15.F / 45.F, at(0, {1, 4}, Channel::SvoGap));
   EXPECT_EQ(1.F, at(0, {2, 1}, Channel::AtGoal));
   EXPECT_EQ(0.F, at(0, {2, 1}, Channel::LessProsocial));
   EXPECT_EQ(1.F, at(0, {1, 4}, Channel::Agent));
@@ -87,7 +94,7 @@ TEST_F(ObservationTest, ClampsGoalsToTheBorderOfTheView) {
   distances_.clear();
   distances_.emplace_back(grid_, Cell{0, 0});
   distances_.emplace_back(grid_, Cell{1, 19});
-  states_ = {{{1, 5}, {1, 6}}, {Action::Stay, Action::Stay}, {0.F, 0.F}};
+  states_ = {{{1, 5}, {1, 6}}, {Action::Stay, Action::Stay}, {0.F, 0.F}, {1, 1}, {0.F, 0.F}};
   encode(0);
   EXPECT_EQ(1.F, at(0, {1, 9}, Channel::ProjectedGoal));
   EXPECT_EQ(0.F, at(0, {1, 9}, Channel::OtherGoal));
@@ -100,8 +107,12 @@ TEST_F(ObservationTest, VectorPointsToTheGoal) {
   EXPECT_FLOAT_EQ(3.F / 64.F, vector_[2]);
   EXPECT_FLOAT_EQ(3.F / 64.F, vector_[3]);
   EXPECT_EQ(0.F, vector_[4]);
+  EXPECT_EQ(2.5F, vector_[5]) << "saturated";
+  EXPECT_EQ(0.75F, vector_[6]);
+  encode(0);
+  EXPECT_EQ(0.25F, vector_[5]);
   encode(1);
-  EXPECT_EQ(std::vector<float>({0.F, 0.F, 0.F, 0.F, 1.F}), vector_);
+  EXPECT_EQ(std::vector<float>({0.F, 0.F, 0.F, 0.F, 1.F, 0.F, 0.5F}), vector_);
 }
 
 TEST_F(ObservationTest, ForgetsWhereAgentsWere) {
@@ -120,9 +131,50 @@ TEST_F(ObservationTest, RefusesStatesOfAnotherNumberOfAgents) {
   EXPECT_THROW(encoder.setStates(states_), std::invalid_argument);
 }
 
-TEST(ChannelNamesTest, AreAllDifferent) {
-  const std::set<std::string> names(channelNames().begin(), channelNames().end());
-  EXPECT_EQ(static_cast<std::size_t>(kChannelCount), names.size());
+TEST_F(ObservationTest, SeesWhoHasToMakeWay) {
+  grid_ = Grid::fromText(
+      "###.###\n"
+      ".......\n"
+      "#######\n");
+  distances_.clear();
+  distances_.emplace_back(grid_, Cell{1, 6});
+  distances_.emplace_back(grid_, Cell{1, 0});
+  states_ = {{{1, 1}, {1, 2}}, {Action::East, Action::West}, {5.F, 40.F}, {1, 1}, {0.F, 0.F}};
+  encode(1);
+  EXPECT_EQ(1.F, at(1, {1, 2}, Channel::SwapWest)) << "with a junction behind it";
+  EXPECT_EQ(1.F, at(1, {1, 2}, Channel::Pressed)) << "and goes first";
+  EXPECT_FLOAT_EQ(-35.F / 45.F, at(1, {1, 2}, Channel::InheritedGap));
+  EXPECT_EQ(0.F, at(1, {1, 1}, Channel::InheritedGap)) << "both act for the other";
+  EXPECT_EQ(0.F, at(1, {1, 1}, Channel::Pressed));
+}
+
+TEST(ObservationEntriesTest, AreAsManyAsThereAreInputsAndAllDifferent) {
+  std::set<std::string> names;
+  for (const ObservationEntry& entry : observationEntries()) {
+    names.insert(entry.name);
+    EXPECT_LT(entry.lowest, entry.highest);
+  }
+  EXPECT_EQ(static_cast<std::size_t>(kChannelCount + kVectorSize), names.size());
+  EXPECT_EQ("inherited_gap", observationEntries()[kChannelCount - 1].name);
+  EXPECT_EQ("tie_break", observationEntries().back().name);
+}
+
+TEST(ObservationEntriesTest, AreWhatTheDocumentationSays) {
+  std::ifstream file(std::string(REPOSITORY_DIR) + "/docs/observation.md");
+  std::vector<std::string> rows;
+  for (std::string line; std::getline(file, line);) {
+    if (line.rfind("| `", 0) == 0) {
+      rows.push_back(line);
+    }
+  }
+  std::vector<std::string> expected;
+  for (const ObservationEntry& entry : observationEntries()) {
+    std::ostringstream row;
+    row << "| `" << entry.name << "` | " << entry.meaning << " | " << entry.lowest << " ... "
+        << entry.highest << " |";
+    expected.push_back(row.str());
+  }
+  EXPECT_EQ(expected, rows);
 }
 
 }  // namespace

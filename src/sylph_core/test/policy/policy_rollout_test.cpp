@@ -6,6 +6,7 @@
 #include <set>
 #include <stdexcept>
 
+#include "sylph_core/social/precedence.hpp"
 #include "sylph_core/social/svo.hpp"
 #include "test/support/random_weights.hpp"
 
@@ -16,7 +17,8 @@ namespace {
 class PolicyRolloutTest : public ::testing::Test {
  protected:
   PolicyRollout rollout(SvoChoice choice = SvoChoice::Mean, int threads = 1) const {
-    return {*policy_, grid_, distances_, choice, threads};
+    Rng rng(7);  // the same tie breaks each time
+    return {*policy_, grid_, distances_, choice, threads, rng};
   }
   PolicyStep firstStep(PolicyRollout& rollout) {
     return rollout.follow(rollout.nothingKnown(), starts_, starts_, rng_);
@@ -126,6 +128,37 @@ TEST_F(PolicyRolloutTest, WeightsThatOverflowSayNothing) {
   const PolicyStep step = firstStep(walk);
   EXPECT_TRUE(step.actions.isZero());
   EXPECT_FLOAT_EQ(22.5F, step.social.svo_deg[0]);
+}
+
+TEST_F(PolicyRolloutTest, CountsTheTimestepsOffTheGoal) {
+  auto walk = rollout();
+  const PolicyStep first = firstStep(walk);
+  EXPECT_EQ((std::vector<int>{1, 1, 0}), first.waited);
+  const PolicyStep second = walk.follow(first, starts_, next_, rng_);
+  EXPECT_EQ((std::vector<int>{2, 2, 0}), second.waited);
+  const Configuration home = {{0, 1}, {0, 0}, {2, 2}};
+  EXPECT_EQ((std::vector<int>{3, 0, 0}), walk.follow(second, next_, home, rng_).waited);
+}
+
+TEST_F(PolicyRolloutTest, SvosByWaitingAreThoseOfTheRule) {
+  auto walk = rollout(SvoChoice::Waiting);
+  PolicyStep step = firstStep(walk);
+  for (int timestep = 1; timestep < 30; ++timestep) {
+    step = walk.follow(step, starts_, starts_, rng_);
+  }
+  for (std::size_t agent = 0; agent < 2; ++agent) {
+    EXPECT_FLOAT_EQ(svoByWaiting(30, walk.tieBreaks()[agent]), step.social.svo_deg[agent]);
+  }
+  EXPECT_EQ(45.F, step.social.svo_deg[2]);
+}
+
+TEST_F(PolicyRolloutTest, TheSvosOfTheStepBeforeDecideWhatIsSeen) {
+  auto walk = rollout();
+  PolicyStep before = walk.nothingKnown();
+  const PolicyStep step = walk.follow(before, starts_, next_, rng_);
+  spreadOverLevels(5.F, before.svo.row(0).data());
+  before.social.svo_deg[0] = 5.F;
+  EXPECT_NE(step.actions, walk.follow(before, starts_, next_, rng_).actions);
 }
 
 TEST_F(PolicyRolloutTest, RefusesAnotherNumberOfAgents) {

@@ -44,17 +44,35 @@ TEST_F(PolicyTest, LoadsWhatWasSaved) {
 
 TEST_F(PolicyTest, RefusesNetworksForOtherObservations) {
   weights_.metadata["channels"] = "20";
-  expectRefused("metadata 'channels' is '20': must be '21'");
-  weights_.metadata["channels"] = "21";
+  expectRefused("metadata 'channels' is '20': must be '32'");
+  weights_.metadata["channels"] = "32";
   weights_.metadata["svo_levels"] = "5";
   expectRefused("metadata 'svo_levels' is '5': must be '10'");
   weights_.metadata.erase("svo_levels");
   expectRefused("metadata has no entry 'svo_levels'");
 }
 
+TEST_F(PolicyTest, RefusesOtherObservationsNamingWhatDiffers) {
+  std::string& described = weights_.metadata["observation"];
+  const std::string right = described;
+  const std::string first = "obstacle [0, 1]: an obstacle or outside the map";
+  const std::string second = "agent [0, 1]: an agent, oneself included";
+  ASSERT_EQ(0u, right.find(first + "\n" + second + "\n"));
+  described = right.substr(first.size() + 1);
+  expectRefused("metadata 'observation' has '" + second + "' as entry 0: must be '" + first + "'");
+  described = first;
+  expectRefused("metadata 'observation' lacks entry 1, '" + second + "'");
+  described = right + "\nmore [0, 1]: of it";
+  expectRefused(
+      "metadata 'observation' has 'more [0, 1]: of it' as entry 39: must be none, this build sees "
+      "less");
+  weights_.metadata.erase("observation");
+  expectRefused("metadata has no entry 'observation'");
+}
+
 TEST_F(PolicyTest, RefusesTensorsOfAnotherShape) {
   weights_.metadata["near_width"] = "7";
-  expectRefused("tensor 'encoder.conv1.weight' has the shape [6, 21, 3, 3]: must be [7, 21, 3, 3]");
+  expectRefused("tensor 'encoder.conv1.weight' has the shape [6, 32, 3, 3]: must be [7, 32, 3, 3]");
   weights_ = RandomWeights(smallShape(), 3).file();
   weights_.tensors.erase("heads.svo.bias");
   expectRefused("has no tensor 'heads.svo.bias'; the network needs it, of shape [10]");

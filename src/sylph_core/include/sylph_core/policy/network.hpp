@@ -14,8 +14,8 @@ namespace sylph {
 
 /// Sizes of the policy network. They travel in the metadata of the weights.
 struct NetworkShape {
-  int channels = 21;       ///< of each cell in view
-  int vector_size = 5;     ///< of the vector to the goal
+  int channels = 32;       ///< of each cell in view
+  int vector_size = 7;     ///< of the vector to the goal
   int svo_levels = 10;     ///< of the SVO distribution
   int near_width = 32;     ///< channels of the first two convolutions
   int far_width = 64;      ///< channels of the last two
@@ -29,7 +29,7 @@ struct NetworkShape {
   /// @throws std::invalid_argument naming the entry and what is allowed
   void requireValid() const;
 
-  /// Metadata of a weight file, with the architecture and the names of the channels.
+  /// Metadata of a weight file, with the architecture and what the network sees.
   std::map<std::string, std::string> toMetadata() const;
   /// @throws std::invalid_argument naming the entry that is missing or wrong
   static NetworkShape fromMetadata(const std::map<std::string, std::string>& metadata);

@@ -8,6 +8,8 @@
 #include "sylph_core/grid/distance_field.hpp"
 #include "sylph_core/grid/grid.hpp"
 #include "sylph_core/mapf/types.hpp"
+#include "sylph_core/policy/occupancy_map.hpp"
+#include "sylph_core/policy/right_of_way.hpp"
 
 namespace sylph {
 
@@ -15,83 +17,117 @@ namespace sylph {
 constexpr int kFieldOfView = 9;
 constexpr int kViewCells = kFieldOfView * kFieldOfView;
 
-/// What each cell of the field of view tells. The first nine are those of the paper (there with the
-/// four directions inverted and only in the central 5 x 5); the others are what measured better.
+/// What each cell of the field of view tells, see observationEntries(). The first nine are those of
+/// the paper (there with the four directions inverted and only in the central 5 x 5); the others
+/// are what measured better. Groups of four are in the order of the moves North to West. All but
+/// the last three are 0 or 1.
 enum class Channel {
-  Obstacle,       ///< obstacle or outside the map
-  Agent,          ///< an agent, oneself included
-  OwnGoal,        ///< one's own goal
-  ProjectedGoal,  ///< goals of the agents in view, clamped to the border
-  LessProsocial,  ///< an agent whose SVO is lower than one's own
-  NearerNorth,    ///< from here a step north comes closer to one's own goal
+  Obstacle,
+  Agent,
+  OwnGoal,
+  ProjectedGoal,
+  LessProsocial,
+  NearerNorth,
   NearerEast,
   NearerSouth,
   NearerWest,
-  OtherGoal,    ///< the goal of any other agent
-  FartherToGo,  ///< an agent that has farther to its goal than oneself
-  WishesNorth,  ///< an other agent here that comes closer to its goal by going north
+  OtherGoal,
+  FartherToGo,
+  WishesNorth,
   WishesEast,
   WishesSouth,
   WishesWest,
-  AtGoal,     ///< an other agent that is on its goal
-  CameNorth,  ///< an other agent whose last move was north
+  AtGoal,
+  CameNorth,
   CameEast,
   CameSouth,
   CameWest,
-  CostToGo,  ///< how much farther from one's own goal than oneself, in -1 ... 1; obstacles 1
+  SwapNorth,
+  SwapEast,
+  SwapSouth,
+  SwapWest,
+  ClearNorth,
+  ClearEast,
+  ClearSouth,
+  ClearWest,
+  Pressed,
+  CostToGo,
+  SvoGap,
+  InheritedGap,
 };
-constexpr int kChannelCount = 21;
+constexpr int kChannelCount = 32;
+constexpr int kBinaryChannelCount = kChannelCount - 3;
 
-/// Names of the channels in order: part of the contract with the weights.
-const std::array<std::string, kChannelCount>& channelNames();
-
-/// Entries of the vector that goes with the field of view: unit direction to the goal (x right, y
-/// up), straight distance and way to go (both / 64, at most 1), whether on the goal.
-constexpr int kVectorSize = 5;
+/// Entries of the vector that goes with the field of view, see observationEntries().
+enum class VectorEntry {
+  GoalRight,
+  GoalUp,
+  StraightDistance,
+  WayToGo,
+  OnGoal,
+  Waited,
+  TieBreak,
+};
+constexpr int kVectorSize = 7;
 
 constexpr int kObservationSize = kViewCells * kChannelCount;
 
-/// Where the agents are and how they came there.
+/// One number that the network sees.
+struct ObservationEntry {
+  std::string name;
+  std::string meaning;
+  double lowest;
+  double highest;
+
+  std::string toText() const;  ///< in one line
+};
+
+/// Channels in order, then the entries of the vector: the contract with the weights, in whose
+/// metadata it stands.
+const std::vector<ObservationEntry>& observationEntries();
+
+/// The state of all agents that a policy acts in.
 struct AgentStates {
   Configuration cells;
   std::vector<Action> last_moves;  ///< the action that led here; Stay at the start
   std::vector<float> svo_deg;      ///< mean SVO [deg]
+  std::vector<int> waited;         ///< timesteps since the agent was last on its goal
+  std::vector<float> tie_breaks;   ///< 0 ... 1, the agent's own for good: no two are alike
 };
 
 /// Turns the state of all agents into what the network sees.
 class ObservationEncoder {
  public:
-  /// @param distances  per agent the distances to its goal; must outlive the encoder
+  /// @param distances  per agent, to its goal; must outlive this object
   ObservationEncoder(const Grid& grid, const std::vector<DistanceField>& distances);
 
-  /// @param states  one entry per agent
+  /// Sets the configuration that encode() looks at.
+  /// @throws std::invalid_argument unless there is one entry per agent in each member
   void setStates(const AgentStates& states);
 
-  /// The view of one agent, row by row from the north west, the channels of a cell side by side.
-  /// @param view    out: kObservationSize floats
-  /// @param vector  out: kVectorSize floats
+  /// Observation of one agent.
+  /// @param view    out: kObservationSize entries, the 9 x 9 view row by row, north-west first,
+  ///                the channels of a cell side by side
+  /// @param vector  out: kVectorSize entries
   void encode(AgentId agent, float* view, float* vector) const;
 
  private:
-  int indexOf(const Cell& cell) const {
-    return (cell.row + kMargin) * stride_ + cell.col + kMargin;
-  }
+  void see(AgentId agent);
   void addOwnWay(AgentId agent, float* view) const;
-  void addOthers(AgentId agent, float* view) const;
+  void addAgents(AgentId agent, float* view) const;
+  void addSelf(AgentId agent, float* features) const;
+  void addOther(AgentId agent, AgentId other, float* features) const;
   void addGoals(AgentId agent, float* view) const;
   void addVector(AgentId agent, float* vector) const;
 
-  static constexpr int kMargin = kFieldOfView / 2;  // of obstacles round the map: no view leaves it
-
-  int stride_;
   const std::vector<DistanceField>& distances_;
-  std::vector<char> is_obstacle_;    // with margin
-  std::vector<AgentId> occupant_;    // with margin, -1: nobody
-  std::vector<AgentId> goal_owner_;  // with margin, -1: nobody's goal
+  OccupancyMap map_;
+  RightOfWay right_of_way_;
+  std::vector<AgentId> goal_owner_;  // per index of the map, -1: nobody
   AgentStates states_;
-  std::vector<std::array<float, kChannelCount>>
-      seen_;  // per agent, channels that do not depend on who looks
-  std::vector<int> to_go_;
+  std::vector<int> to_go_;  // per agent [cells]
+  // Per agent: the channels that all who see it share.
+  std::vector<std::array<float, kChannelCount>> seen_;
 };
 
 }  // namespace sylph

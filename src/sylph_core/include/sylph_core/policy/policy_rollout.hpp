@@ -15,31 +15,34 @@ namespace sylph {
 
 /// Which SVO agents act by, of the distribution that the policy gives.
 enum class SvoChoice {
-  Mean,    ///< the mean angle
-  Sample,  ///< a level, drawn
+  Mean,     ///< the mean angle
+  Sample,   ///< a level, drawn
+  Waiting,  ///< none of it: the rule of waiting, see svoByWaiting(), to compare with
 };
 
 /// What the policy says in one configuration, and what it takes along to the next one.
 struct PolicyStep {
-  AgentRows actions;   ///< n x 5 logits, in the order of Action
-  AgentRows svo;       ///< n x levels, each row of sum 1
-  AgentRows memory;    ///< n x width, or empty if the policy has none
-  SocialState social;  ///< fixed partners, SVOs that agents act by
+  AgentRows actions;        ///< n x 5 logits, in the order of Action
+  AgentRows svo;            ///< n x levels, each row of sum 1
+  AgentRows memory;         ///< n x width, or empty if the policy has none
+  std::vector<int> waited;  ///< per agent: timesteps since it was last on its goal
+  SocialState social;       ///< fixed partners, SVOs that agents act by
 };
 
 /// The policy of all agents of an instance, from one configuration to the next: observation,
 /// partners, one call of the network, SVO.
 ///
-/// The network sees the SVO distributions of the step before: at the start nothing is known of
-/// them, so that all levels are alike. An agent on its goal takes the most prosocial level,
-/// whatever the network says, and that is also what the network gets to see of it.
+/// The network sees the SVO distributions of the step before; at the start, what the rule of
+/// waiting gives. An agent on its goal takes the most prosocial level, whatever the network says,
+/// and that is also what the network gets to see of it.
 class PolicyRollout {
  public:
   /// @param policy, grid  must outlive this object, as distances must
   /// @param distances  per agent the distances to its goal
   /// @param threads    that the network may use, > 0
+  /// @param rng        draws the agents' tie breaks
   PolicyRollout(const Policy& policy, const Grid& grid, const std::vector<DistanceField>& distances,
-                SvoChoice svo_choice, int threads);
+                SvoChoice svo_choice, int threads, Rng& rng);
 
   /// What goes before the first step.
   PolicyStep nothingKnown() const;
@@ -51,11 +54,14 @@ class PolicyRollout {
   PolicyStep follow(const PolicyStep& before, const Configuration& from, const Configuration& to,
                     Rng& rng);
 
+  /// Per agent a number between 0 and 1 that tells it from others in an equal place.
+  const std::vector<float>& tieBreaks() const { return tie_breaks_; }
   /// How often the network has been asked.
   long calls() const { return calls_; }
 
  private:
   PolicyStep evaluate(AgentStates states, NetworkInput input, Rng& rng);
+  float actedBy(const float* probabilities, Rng& rng) const;
 
   const Policy* policy_;
   SvoChoice svo_choice_;
@@ -63,6 +69,7 @@ class PolicyRollout {
   const std::vector<DistanceField>* distances_;
   ObservationEncoder encoder_;
   Partners partners_;
+  std::vector<float> tie_breaks_;
   long calls_ = 0;
 };
 
