@@ -132,7 +132,7 @@ void wholeStep(benchmark::State& state) {
   const Crowd crowd(static_cast<int>(state.range(0)));
   Rng rng(1);
   PolicyRollout rollout(defaultPolicy(), crowd.instance().grid, crowd.distances(), SvoChoice::Mean,
-                        static_cast<int>(state.range(1, rng);
+                        static_cast<int>(state.range(1)), rng);
   PolicyStep step = rollout.nothingKnown();
   std::size_t timestep = 0;
   for (auto _ : state) {

@@ -9,6 +9,7 @@
 namespace sylph {
 namespace {
 
+constexpr double kDistanceFirst = 100.0;  // more than any difference of logits
 constexpr PolicyPatience kPatienceOfSearch = {50, 3, 1'000'000};
 
 class PolicyGuide : public Guide {
@@ -52,8 +53,8 @@ class PolicyGuide : public Guide {
   const SearchProblem* problem_;
   const Grid* grid_;
   Rng* rng_;
-  PolicyRollout rollout_;
   Rng tie_breaks_;  // a copy: the planner draws what it would draw without a policy
+  PolicyRollout rollout_;
   PolicySteps steps_;
 };
 
@@ -62,11 +63,18 @@ class PolicyGuide : public Guide {
 PolicySettings defaultSettings(PolicyUse use) {
   PolicySettings settings;
   if (use == PolicyUse::TieBreaking) {
-    settings.moves = {0.0, 0.0, 1.0, 1.0, 1.0};  // draws from the policy
+    settings.moves = {0.0, 0.0, 0.7, 1.0, 1.0};  // draws from the policy
+    return settings;
   }
+  // The policy gives way by itself. So does PIBT, whatever agents want, and where they want away
+  // from their goals it pushes others for it: so distance comes first, the policy settles which of
+  // the equally short moves to take, and who waits long leaves it to chance.
+  settings.moves.distance_weight = kDistanceFirst;
+  settings.moves.base_temperature = kDistanceFirst / 16.0;
+  settings.moves.least_factor = 0.05;
   if (use == PolicyUse::Pibt) {
     // No search helps who goes round in circles: only chance does.
-    settings.moves.base_temperature = 1.0;
+    settings.moves.base_temperature = kDistanceFirst / 10.0;
     settings.moves.most_factor = 4.0;
   }
   return settings;
