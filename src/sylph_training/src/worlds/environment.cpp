@@ -54,12 +54,13 @@ void EnvironmentOptions::requireValid() const {
 }
 
 Environment::Environment(sylph::Instance instance, const EnvironmentOptions& options,
-                         std::vector<float> svo_deg)
+                         std::vector<float> svo_deg, std::vector<float> tie_breaks)
     : instance_(valid(std::move(instance))),
       options_(valid(options)),
       distances_(distancesToGoals(instance_)),
       states_{instance_.starts, std::vector<Action>(instance_.starts.size(), Action::Stay),
-              std::move(svo_deg)},
+              std::move(svo_deg), std::vector<int>(instance_.starts.size(), 0),
+              std::move(tie_breaks)},
       encoder_(instance_.grid, distances_),
       partners_(
           instance_.grid,
@@ -71,6 +72,11 @@ Environment::Environment(sylph::Instance instance, const EnvironmentOptions& opt
       blocking_(instance_.grid, distances_, options_.rewards.blocking_detour_cells),
       blocked_(blocking_.count(states_.cells)) {
   requireCount("SVOs", states_.svo_deg.size(), states_.cells.size());
+  if (states_.tie_breaks.empty()) {
+    states_.tie_breaks.assign(states_.cells.size(), 0.F);
+  }
+  requireCount("tie breaks", states_.tie_breaks.size(), states_.cells.size());
+  updateWaited();
   showSvo(states_.svo_deg);
   updatePartners();
 }
@@ -84,6 +90,13 @@ void Environment::showSvo(const std::vector<float>& svo_deg) {
     }
   }
   encoder_.setStates(states_);
+}
+
+void Environment::updateWaited() {
+  for (AgentId agent = 0; agent < instance_.agentCount(); ++agent) {
+    int& waited = states_.waited[static_cast<std::size_t>(agent)];
+    waited = isOnGoal(agent) ? 0 : waited + 1;
+  }
 }
 
 void Environment::updatePartners() {
@@ -135,6 +148,7 @@ StepOutcome Environment::step(const std::vector<Action>& wishes, const StepSvo& 
     states_.cells[agent] = neighbor(states_.cells[agent], resolved.actions[agent]);
   }
   states_.last_moves = resolved.actions;
+  updateWaited();
   blocked_ = blocking_.count(states_.cells);
   ++step_count_;
 

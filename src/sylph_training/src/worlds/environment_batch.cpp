@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sylph_core/policy/observation.hpp"
+#include "sylph_core/social/precedence.hpp"
 
 namespace sylph_training {
 namespace {
@@ -53,28 +54,32 @@ EnvironmentBatch::EnvironmentBatch(WorldSource source, const EnvironmentOptions&
   countRows();
 }
 
-// Levels at the start are any, so that agents in equal places need not do the same.
+// Tie breaks, and levels at the start where these are fed back, are any, so that agents in equal
+// places need not do the same.
 void EnvironmentBatch::start(World& world) {
   std::vector<float> mean_deg;
+  std::vector<float> tie_breaks;
   do {
     const sylph::Instance instance = source_(world.rng);
     world.svo.clear();
     world.levels.clear();
     mean_deg.clear();
+    tie_breaks.clear();
     for (int agent = 0; agent < instance.agentCount(); ++agent) {
       const int level = svo_options_.mode == SvoMode::Off ? 0 : drawLevel(world.rng);
       world.levels.push_back(level);
+      tie_breaks.push_back(static_cast<float>(sylph::drawFraction(world.rng)));
       if (svo_options_.mode == SvoMode::Learned &&
           svo_options_.feedback == SvoFeedback::Distribution) {
-        SvoDistribution even;
-        even.fill(1.F / sylph::kSvoLevelCount);
-        world.svo.push_back(even);
+        world.svo.emplace_back();
+        sylph::spreadOverLevels(sylph::svoByWaiting(1, tie_breaks.back()), world.svo.back().data());
       } else {
         world.svo.push_back(certainly(level));
       }
       mean_deg.push_back(meanDeg(world.svo.back()));
     }
-    world.environment = std::make_unique<Environment>(instance, environment_options_, mean_deg);
+    world.environment =
+        std::make_unique<Environment>(instance, environment_options_, mean_deg, tie_breaks);
   } while (world.environment->isSolved());
   showProsocialOnGoal(world);
   world.partners = world.environment->partners();

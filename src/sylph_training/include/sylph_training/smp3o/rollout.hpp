@@ -18,7 +18,7 @@ struct EpisodePiece {
 /// What was seen and done in a number of steps of a batch of worlds. One row is one agent's step;
 /// rows of one step and world stand next to each other.
 struct Rollout {
-  torch::Tensor views;     ///< rows x 9 x 9 x channels in bfloat16, which holds them exactly
+  torch::Tensor views;     ///< rows x 9 x 9 x channels in bfloat16, exact but for the gaps of SVO
   torch::Tensor vectors;   ///< rows x vector_size
   torch::Tensor svo;       ///< rows x levels: of the step before
   torch::Tensor svo_now;   ///< rows x levels: as fed back to the next step

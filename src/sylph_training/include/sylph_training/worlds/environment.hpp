@@ -56,10 +56,12 @@ struct StepOutcome {
 /// goals at the end of a step, or after `max_steps`.
 class Environment {
  public:
-  /// @param svo_deg  per agent the SVO that the others see before the first step [deg]
-  /// @throws std::invalid_argument if the instance, the options or the number of SVOs is not valid
+  /// @param svo_deg     per agent the SVO that the others see before the first step [deg]
+  /// @param tie_breaks  per agent, 0 ... 1; none given: all 0
+  /// @throws std::invalid_argument if the instance, the options or a number of SVOs or tie
+  /// breaks is not valid
   Environment(sylph::Instance instance, const EnvironmentOptions& options,
-              std::vector<float> svo_deg);
+              std::vector<float> svo_deg, std::vector<float> tie_breaks = {});
   Environment(const Environment&) = delete;  // its parts refer to one another
   Environment& operator=(const Environment&) = delete;
   ~Environment() = default;
@@ -93,6 +95,7 @@ class Environment {
   void shareRewards(const std::vector<float>& drawn_svo_deg, StepOutcome& outcome) const;
   void showSvo(const std::vector<float>& svo_deg);
   void updatePartners();
+  void updateWaited();
 
   sylph::Instance instance_;
   EnvironmentOptions options_;
