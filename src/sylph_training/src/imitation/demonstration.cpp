@@ -9,7 +9,7 @@
 #include "sylph_core/search/deadline.hpp"
 #include "sylph_core/search/distance_generator.hpp"
 #include "sylph_core/social/partners.hpp"
-#include "sylph_core/social/svo.hpp"
+#include "sylph_core/social/precedence.hpp"
 
 namespace sylph_training {
 namespace {
@@ -31,6 +31,9 @@ class SceneMaker {
         first_moves_(demonstration.first_moves),
         distances_(distanceFields(instance)),
         encoder_(instance.grid, distances_) {
+    for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
+      tie_breaks_.push_back(static_cast<float>(sylph::drawFraction(rng)));
+    }
     const RegretTable table(problem, demonstration.plan);
     for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
       regrets_.push_back(table.of(agent));
@@ -46,16 +49,15 @@ class SceneMaker {
     sylph::AgentStates states;
     states.cells = plan_[timestep];
     states.last_moves = timestep == 0 ? first_moves_ : actionsAt(timestep - 1);
+    states.tie_breaks = tie_breaks_;
     Scene scene;
     for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
-      const bool is_home = states.cells[agent] == goals_[agent];
-      const int level = is_home ? sylph::kMostProsocialLevel
-                                : static_cast<int>(sylph::drawIndex(*rng_, sylph::kSvoLevelCount));
+      states.waited.push_back(waitedAt(agent, timestep));
+      states.svo_deg.push_back(sylph::svoByWaiting(states.waited[agent], tie_breaks_[agent]));
       SceneAgent known;
       known.partner = static_cast<std::uint16_t>(social_[timestep].partners[agent]);
-      known.svo_level = static_cast<std::uint16_t>(level);
+      known.svo_centideg = toCentidegrees(states.svo_deg[agent]);
       scene.agents.push_back(known);
-      states.svo_deg.push_back(static_cast<float>(sylph::svoOfLevel(level)));
     }
     encoder_.setStates(states);
     const std::vector<bool> is_sample = drawSamples(states.cells, actions);
@@ -66,7 +68,7 @@ class SceneMaker {
         Sample sample;
         sample.agent = static_cast<std::uint16_t>(agent);
         sample.action = static_cast<std::uint8_t>(actions[agent]);
-        sample.yielding = yieldingOf(agent, timestep);
+        sample.only_ties = settings_->only_ties ? 1 : 0;
         sample.regrets = regrets_[agent][timestep];
         sample.view = packView(view.data());
         scene.samples.push_back(sample);
@@ -99,7 +101,8 @@ class SceneMaker {
     std::vector<std::size_t> drawn;
     for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
       const bool rests = cells[agent] == goals_[agent] && actions[agent] == Action::Stay;
-      if (!rests || sylph::drawFraction(*rng_) < settings_->rest_share) {
+      if (settings_->only_ties ? choicesOf(agent, cells[agent]) >= 2
+                               : !rests || sylph::drawFraction(*rng_) < settings_->rest_share) {
         drawn.push_back(agent);
       }
     }
@@ -112,17 +115,24 @@ class SceneMaker {
     return is_sample;
   }
 
-  int gainOf(std::size_t agent, std::size_t timestep) const {
-    return distances_[agent].at(plan_[timestep][agent]) -
-           distances_[agent].at(plan_[timestep + 1][agent]);
+  // Timesteps since the agent was last on its goal.
+  int waitedAt(std::size_t agent, std::size_t timestep) const {
+    int waited = 0;
+    while (plan_[timestep][agent] != goals_[agent]) {
+      ++waited;
+      if (timestep-- == 0) {
+        break;
+      }
+    }
+    return waited;
   }
 
-  Yielding yieldingOf(std::size_t agent, std::size_t timestep) const {
-    const auto partner = static_cast<std::size_t>(social_[timestep].partners[agent]);
-    if (partner == agent || (gainOf(agent, timestep) <= 0 && gainOf(partner, timestep) <= 0)) {
-      return Yielding::Unknown;
-    }
-    return gainOf(agent, timestep) > 0 ? Yielding::No : Yielding::Yes;
+  // Moves that come closer to the goal.
+  int choicesOf(std::size_t agent, const Cell& cell) const {
+    const int here = distances_[agent].at(cell);
+    return static_cast<int>(std::count_if(
+        sylph::kActions.begin(), sylph::kActions.end(),
+        [&](Action action) { return distances_[agent].at(neighbor(cell, action)) < here; }));
   }
 
   const DemonstrationSettings* settings_;
@@ -130,6 +140,7 @@ class SceneMaker {
   sylph::Configuration goals_;
   sylph::Plan plan_;
   std::vector<Action> first_moves_;
+  std::vector<float> tie_breaks_;
   std::vector<sylph::DistanceField> distances_;
   sylph::ObservationEncoder encoder_;          // refers to distances_
   std::vector<std::vector<Regrets>> regrets_;  // per agent and joint action
@@ -150,6 +161,7 @@ DemonstrationSettings DemonstrationSettings::read(const sylph::YamlMap& yaml) {
   settings.samples_per_world = count("samples_per_world", settings.samples_per_world);
   settings.samples_per_scene = count("samples_per_scene", settings.samples_per_scene);
   settings.rest_share = yaml.number("rest_share", settings.rest_share, {0.0, 1.0});
+  settings.only_ties = yaml.boolean("only_ties", settings.only_ties);
   yaml.refuseUnread();
   return settings;
 }

@@ -1,8 +1,12 @@
 #include "sylph_training/imitation/imitation_batch.hpp"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <numeric>
 
 #include "sylph_core/policy/observation.hpp"
+#include "sylph_core/social/precedence.hpp"
 #include "sylph_core/social/svo.hpp"
 
 namespace sylph_training {
@@ -10,51 +14,87 @@ namespace {
 
 using sylph::kActionCount;
 
-constexpr double kOneHotShare = 0.5;
-constexpr double kNarrowestSpread = 0.5;  // [levels]
-constexpr double kWidestSpread = 6.0;
+constexpr float kFrom_centideg = 0.01F;
 
-void fillSvo(int level, sylph::Rng& rng, float* out) {
-  const bool is_one_hot = sylph::drawFraction(rng) < kOneHotShare;
-  const double spread =
-      kNarrowestSpread + (kWidestSpread - kNarrowestSpread) * sylph::drawFraction(rng);
+using Flags = std::array<bool, kActionCount>;
+
+/// The moves that come closer to the goal.
+Flags greedyMoves(const Sample& sample) {
+  constexpr std::size_t kCentre = sylph::kViewCells / 2;
+  Flags is_greedy{};
+  for (std::size_t way = 0; way + 1 < kActionCount; ++way) {
+    const auto bit = static_cast<std::size_t>(sylph::Channel::NearerNorth) + way;
+    is_greedy[way + 1] = ((sample.view[kCentre] >> bit) & 1U) != 0;
+  }
+  return is_greedy;
+}
+
+/// Which actions the label compares: all, or only those that come closer to the goal.
+Flags compared(const Sample& sample) {
+  if (sample.only_ties != 0) {
+    return greedyMoves(sample);
+  }
+  Flags all;
+  all.fill(true);
+  return all;
+}
+
+/// The distribution to learn, in the order of Action.
+std::array<double, kActionCount> labelOf(const Sample& sample, const LabelSettings& labels) {
+  const double votes = std::accumulate(sample.votes.begin(), sample.votes.end(), 0.0);
+  const Flags is_compared = compared(sample);
+  std::array<double, kActionCount> label{};
   double sum = 0.0;
-  for (int other = 0; other < sylph::kSvoLevelCount; ++other) {
-    const double weight =
-        is_one_hot ? (other == level ? 1.0 : 0.0) : std::exp(-std::abs(other - level) / spread);
-    out[other] = static_cast<float>(weight);
-    sum += weight;
+  for (std::size_t action = 0; action < kActionCount; ++action) {
+    const int regret = sample.regrets[action];
+    if (votes > 0.0) {
+      label[action] = sample.votes[action];
+    } else if (regret != kImpossible && is_compared[action]) {
+      label[action] = std::exp(-static_cast<double>(regret) / labels.regret_scale);
+    }
+    sum += label[action];
   }
-  for (int other = 0; other < sylph::kSvoLevelCount; ++other) {
-    out[other] /= static_cast<float>(sum);
+  const bool has_expert = votes == 0.0 && is_compared[sample.action];
+  const double rest = has_expert ? 1.0 - labels.expert_share : 1.0;
+  for (double& weight : label) {
+    weight *= sum > 0.0 ? rest / sum : 0.0;
   }
+  if (has_expert) {
+    label[sample.action] += labels.expert_share;
+  }
+  return label;
+}
+
+/// What the rule of waiting says of an agent.
+float ruleOf(const SceneAgent& agent) {
+  const auto entry = [&](sylph::VectorEntry which) {
+    return agent.vector[static_cast<std::size_t>(which)];
+  };
+  const auto waited = static_cast<int>(std::lround(entry(sylph::VectorEntry::Waited) * 64.F));
+  return sylph::svoByWaiting(waited, entry(sylph::VectorEntry::TieBreak));
 }
 
 void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSettings& labels,
                 std::int64_t row, ImitationBatch& batch) {
-  float* target = batch.targets.data_ptr<float>() + row * kActionCount;
-  float* best = batch.is_best.data_ptr<float>() + row * kActionCount;
-  float* valid = batch.is_valid.data_ptr<float>() + row * kActionCount;
-  double sum = 0.0;
+  const auto rowOf = [&](torch::Tensor& tensor) {
+    return tensor.data_ptr<float>() + row * static_cast<std::int64_t>(kActionCount);
+  };
+  const std::array<double, kActionCount> label = labelOf(sample, labels);
+  const Flags is_compared = compared(sample);
+  const bool is_voted = std::any_of(sample.votes.begin(), sample.votes.end(),
+                                    [](std::uint8_t votes) { return votes > 0; });
+  const Flags is_greedy = is_voted ? greedyMoves(sample) : Flags{};
   for (const sylph::Action action : sylph::kActions) {
-    const int regret = sample.regrets[static_cast<std::size_t>(action)];
+    const auto index = static_cast<std::size_t>(action);
     const auto image = static_cast<std::size_t>(symmetry.apply(action));
-    best[image] = regret == 0 ? 1.F : 0.F;
-    valid[image] = regret == kImpossible ? 0.F : 1.F;
-    const double weight =
-        regret == kImpossible ? 0.0 : std::exp(-static_cast<double>(regret) / labels.regret_scale);
-    target[image] = static_cast<float>(weight);
-    sum += weight;
+    rowOf(batch.targets)[image] = static_cast<float>(label[index]);
+    rowOf(batch.is_compared)[image] = is_compared[index] ? 1.F : 0.F;
+    rowOf(batch.is_alike)[image] = is_greedy[index] ? 1.F : 0.F;
+    rowOf(batch.is_best)[image] = sample.regrets[index] == 0 ? 1.F : 0.F;
+    rowOf(batch.is_valid)[image] = sample.regrets[index] == kImpossible ? 0.F : 1.F;
   }
-  const auto expert =
-      static_cast<std::size_t>(symmetry.apply(static_cast<sylph::Action>(sample.action)));
-  for (std::size_t action = 0; action < kActionCount; ++action) {
-    target[action] *= static_cast<float>((1.0 - labels.expert_share) / sum);
-  }
-  target[expert] += static_cast<float>(labels.expert_share);
-  batch.actions.data_ptr<std::int64_t>()[row] = static_cast<std::int64_t>(expert);
-  batch.yields.data_ptr<float>()[row] =
-      sample.yielding == Yielding::Unknown ? -1.F : static_cast<float>(sample.yielding);
+  batch.actions.data_ptr<std::int64_t>()[row] =
+      static_cast<std::int64_t>(symmetry.apply(static_cast<sylph::Action>(sample.action)));
 }
 
 }  // namespace
@@ -62,15 +102,14 @@ void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSetti
 ImitationBatch ImitationBatch::to(torch::Device device) const {
   ImitationBatch moved = *this;
   moved.input = input.to(device);
-  for (torch::Tensor* tensor :
-       {&moved.targets, &moved.actions, &moved.is_best, &moved.is_valid, &moved.yields}) {
+  for (torch::Tensor* tensor : {&moved.targets, &moved.is_compared, &moved.is_alike, &moved.actions,
+                                &moved.is_best, &moved.is_valid, &moved.svo_targets}) {
     *tensor = tensor->to(device);
   }
   return moved;
 }
 
-ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelSettings& labels,
-                         sylph::Rng& rng) {
+ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelSettings& labels) {
   std::int64_t agents = 0;
   std::int64_t samples = 0;
   for (const Pick& pick : picks) {
@@ -89,12 +128,15 @@ ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelS
   batch.actions = torch::empty({samples}, torch::kLong);
   batch.is_best = torch::empty({samples, kActionCount});
   batch.is_valid = torch::empty({samples, kActionCount});
-  batch.yields = torch::empty({samples});
+  batch.is_compared = torch::empty({samples, kActionCount});
+  batch.is_alike = torch::empty({samples, kActionCount});
+  batch.svo_targets = torch::empty({samples, sylph::kSvoLevelCount});
   std::vector<std::int64_t> partners;
   partners.reserve(static_cast<std::size_t>(agents));
   float* view = views.data_ptr<float>();
   float* vector = batch.input.vectors.data_ptr<float>();
   float* svo = batch.input.svo.data_ptr<float>();
+  float* target_svo = batch.svo_targets.data_ptr<float>();
   std::int64_t row = 0;
   for (const Pick& pick : picks) {
     const Symmetry symmetry(pick.symmetry);
@@ -102,7 +144,7 @@ ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelS
     for (const SceneAgent& agent : pick.store->agents(pick.scene)) {
       const auto image = symmetry.apply(agent.vector);
       vector = std::copy(image.begin(), image.end(), vector);
-      fillSvo(agent.svo_level, rng, svo);
+      sylph::spreadOverLevels(kFrom_centideg * agent.svo_centideg, svo);
       svo += sylph::kSvoLevelCount;
       partners.push_back(first_agent + agent.partner);
     }
@@ -111,6 +153,8 @@ ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelS
       view += sylph::kObservationSize;
       batch.input.asked.data_ptr<std::int64_t>()[row] = first_agent + sample.agent;
       fillLabels(sample, symmetry, labels, row, batch);
+      sylph::spreadOverLevels(ruleOf(pick.store->agents(pick.scene)[sample.agent]), target_svo);
+      target_svo += sylph::kSvoLevelCount;
       ++row;
     }
   }

@@ -13,11 +13,28 @@
 namespace sylph_training {
 namespace {
 
-constexpr int kBinaryChannels = sylph::kChannelCount - 1;
 constexpr float kCostScale = 8.F;  // the encoder's cost to go is a multiple of 1 / 8
-constexpr std::array<char, 8> kFormat = {'S', 'Y', 'L', 'P', 'H', 'S', 'C', '1'};
+constexpr float kGapScale = 127.F;
+constexpr float kCentideg = 100.F;
+constexpr auto kMostCentideg =
+    static_cast<int>(kCentideg * static_cast<float>(sylph::kSvoLevelSpacingDeg)) *
+    sylph::kMostProsocialLevel;
+constexpr std::array<char, 8> kFormat = {'S', 'Y', 'L', 'P', 'H', 'S', 'C', '2'};
 
-static_assert(kBinaryChannels + 5 <= 32, "a cell no longer fits into its word");
+/// The channels that are not 0 or 1 as they lie in a word.
+struct Field {
+  sylph::Channel channel;
+  int shift;
+  int bits;
+  float scale;  ///< of the whole number that is stored, which is 0 at -1
+};
+constexpr int kCostShift = sylph::kBinaryChannelCount;
+constexpr std::array<Field, 3> kFields = {
+    {{sylph::Channel::CostToGo, kCostShift, 5, kCostScale},
+     {sylph::Channel::SvoGap, kCostShift + 5, 8, kGapScale},
+     {sylph::Channel::InheritedGap, kCostShift + 13, 8, kGapScale}}};
+
+static_assert(kCostShift + 21 <= 64, "a cell no longer fits into its word");
 static_assert(std::is_trivially_copyable_v<Sample> && std::is_trivially_copyable_v<SceneAgent>,
               "written to files as they lie in memory");
 
@@ -49,12 +66,11 @@ void read(std::ifstream& stream, T* values, std::size_t count) {
 bool isSound(const SceneStore::Span<SceneAgent>& agents, const SceneStore::Span<Sample>& samples) {
   return std::all_of(agents.begin(), agents.end(),
                      [&](const SceneAgent& agent) {
-                       return agent.partner < agents.count &&
-                              agent.svo_level < sylph::kSvoLevelCount;
+                       return agent.partner < agents.count && agent.svo_centideg <= kMostCentideg;
                      }) &&
          std::all_of(samples.begin(), samples.end(), [&](const Sample& sample) {
            return sample.agent < agents.count && sample.action < sylph::kActionCount &&
-                  sample.yielding <= Yielding::Unknown;
+                  sample.only_ties <= 1;
          });
 }
 
@@ -62,25 +78,34 @@ bool isSound(const SceneStore::Span<SceneAgent>& agents, const SceneStore::Span<
 
 PackedView packView(const float* view) {
   PackedView packed{};
-  for (std::uint32_t& word : packed) {
-    for (int channel = 0; channel < kBinaryChannels; ++channel) {
-      word |= (view[channel] > 0.5F ? 1U : 0U) << channel;
+  for (std::uint64_t& word : packed) {
+    for (int channel = 0; channel < sylph::kBinaryChannelCount; ++channel) {
+      word |= (view[channel] > 0.5F ? std::uint64_t{1} : std::uint64_t{0}) << channel;
     }
-    const float cost = view[kBinaryChannels] * kCostScale + kCostScale;
-    word |= static_cast<std::uint32_t>(std::lround(cost)) << kBinaryChannels;
+    for (const Field& field : kFields) {
+      const float value = view[static_cast<std::size_t>(field.channel)];
+      word |= static_cast<std::uint64_t>(std::lround((value + 1.F) * field.scale)) << field.shift;
+    }
     view += sylph::kChannelCount;
   }
   return packed;
 }
 
 void unpackView(const PackedView& view, float* out) {
-  for (const std::uint32_t word : view) {
-    for (int channel = 0; channel < kBinaryChannels; ++channel) {
+  for (const std::uint64_t word : view) {
+    for (int channel = 0; channel < sylph::kBinaryChannelCount; ++channel) {
       out[channel] = static_cast<float>((word >> channel) & 1U);
     }
-    out[kBinaryChannels] = static_cast<float>(word >> kBinaryChannels) / kCostScale - 1.F;
+    for (const Field& field : kFields) {
+      const std::uint64_t stored = (word >> field.shift) & ((std::uint64_t{1} << field.bits) - 1);
+      out[static_cast<std::size_t>(field.channel)] = static_cast<float>(stored) / field.scale - 1.F;
+    }
     out += sylph::kChannelCount;
   }
+}
+
+std::uint16_t toCentidegrees(float svo_deg) {
+  return static_cast<std::uint16_t>(std::lround(svo_deg * kCentideg));
 }
 
 void SceneStore::add(const Scene& scene) {

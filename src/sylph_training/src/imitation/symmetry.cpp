@@ -11,8 +11,9 @@ using sylph::Channel;
 
 constexpr int kQuarters = 4;
 // The groups of four channels that stand for directions.
-constexpr std::array<Channel, 3> kDirections = {Channel::NearerNorth, Channel::WishesNorth,
-                                                Channel::CameNorth};
+constexpr std::array<Channel, 5> kDirections = {Channel::NearerNorth, Channel::WishesNorth,
+                                                Channel::CameNorth, Channel::SwapNorth,
+                                                Channel::ClearNorth};
 
 Action mirrored(Action action) {
   switch (action) {
@@ -69,11 +70,12 @@ Symmetry::Symmetry(int index) : index_(index) {
 PackedView Symmetry::apply(const PackedView& view) const {
   PackedView image;
   for (std::size_t cell = 0; cell < view.size(); ++cell) {
-    std::uint32_t word = view[cell];
+    std::uint64_t word = view[cell];
     for (const Channel first : kDirections) {
       const auto shift = static_cast<std::uint32_t>(first);
-      const std::uint32_t bits = (word >> shift) & 0xFU;
-      word = (word & ~(0xFU << shift)) | direction_bits_[bits] << shift;
+      const std::uint64_t bits = (word >> shift) & 0xFU;
+      word = (word & ~(std::uint64_t{0xF} << shift)) |
+             static_cast<std::uint64_t>(direction_bits_[bits]) << shift;
     }
     image[static_cast<std::size_t>(cells_[cell])] = word;
   }

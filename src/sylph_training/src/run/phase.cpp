@@ -6,7 +6,7 @@
 namespace sylph_training {
 
 std::unique_ptr<Phase> makePhase(const sylph::YamlMap& yaml, RunState& state) {
-  const std::string kind = yaml.word("kind", {"imitation", "dagger", "smp3o"}, yaml.text("kind"));
+  const std::string kind = yaml.word("kind", {"imitation", "smp3o"}, yaml.text("kind"));
   if (kind == "smp3o") {
     return std::make_unique<Smp3oPhase>(Smp3oSettings::read(yaml), state);
   }

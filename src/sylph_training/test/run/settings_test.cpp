@@ -35,7 +35,7 @@ TEST(TrainingSettingsTest, MalformedFieldsAreNamed) {
   expectError("phases: [{kind: imitation, precision: half}]\n", "phases[0].precision");
   expectError("phases: [{kind: imitation, learning_rate: 0}]\n", "phases[0].learning_rate");
   expectError("phases: [{kind: imitation, corrections: {}}]\n", "corrections");
-  expectError("phases: [{kind: dagger, corrections: {every: [9, 2]}}]\n", "corrections.every");
+  expectError("phases: [{kind: imitation, reactive: {share: 2}}]\n", "reactive.share");
   expectError("network: {width: 7}\nphases: [{kind: imitation}]\n", "network.width");
   expectError("worlds: {side: 10}\nphases: [{kind: imitation}]\n", "worlds.side");
   expectError("demonstrations: {improvement_s: -1}\nphases: [{kind: imitation}]\n",

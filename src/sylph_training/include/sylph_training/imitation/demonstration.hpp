@@ -18,6 +18,9 @@ struct DemonstrationSettings {
   int samples_per_world = 2000;   ///< about, > 0
   int samples_per_scene = 32;     ///< at most, > 0
   double rest_share = 0.2;  ///< chance to keep a sample of an agent that stays on its goal, 0 ... 1
+  /// Samples are agents with two or more moves that come closer to the goal, and tell only which of
+  /// these is best.
+  bool only_ties = false;
 
   /// @throws std::runtime_error with one line naming file, line, field and what is allowed
   static DemonstrationSettings read(const sylph::YamlMap& yaml);
@@ -37,8 +40,8 @@ struct Demonstration {
 };
 
 /// Scenes of timesteps drawn from a demonstration: views, partners, the expert's actions and the
-/// regrets of all others. Social value orientations are drawn anew for each agent and timestep, the
-/// most prosocial one on the goal, so that whoever learns from them copes with all.
+/// regrets of all others. SVOs are those of the rule of waiting, so that inputs look alike whoever
+/// leads.
 /// @param problem  of `instance`, but the plan may start elsewhere
 void addScenes(const sylph::Instance& instance, const sylph::SearchProblem& problem,
                const Demonstration& demonstration, int samples,

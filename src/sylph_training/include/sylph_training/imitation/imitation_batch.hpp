@@ -2,14 +2,14 @@
 
 #include <vector>
 
-#include "sylph_core/grid/rng.hpp"
 #include "sylph_training/imitation/scene_store.hpp"
 #include "sylph_training/imitation/symmetry.hpp"
 #include "sylph_training/model/policy_model.hpp"
 
 namespace sylph_training {
 
-/// How the regrets of a sample become the distribution to learn.
+/// How the regrets of an expert's sample become the distribution to learn. Where the teacher has
+/// voted, it is the share of the votes.
 struct LabelSettings {
   double expert_share = 0.5;   ///< weight of the expert's own action, 0 ... 1
   double regret_scale = 0.25;  ///< the rest goes as exp(-regret / scale) [timesteps], > 0
@@ -25,20 +25,20 @@ struct Pick {
 /// What the network sees and what it should say, for a samples among n agents.
 struct ImitationBatch {
   PolicyInput input;
-  torch::Tensor targets;   ///< a x 5: probabilities of the actions
-  torch::Tensor actions;   ///< a: the expert's, int64
-  torch::Tensor is_best;   ///< a x 5: 1 where the regret is 0
-  torch::Tensor is_valid;  ///< a x 5: 1 where the action hits nothing
-  torch::Tensor yields;    ///< a: 1 if the agent gives way to its partner, 0 if not, -1 unknown
+  torch::Tensor targets;      ///< a x 5: probabilities of the actions, all 0 if nothing is told
+  torch::Tensor is_compared;  ///< a x 5: 1 where the targets tell of the action
+  torch::Tensor is_alike;     ///< a x 5: 1 for actions between which the targets do not tell
+  torch::Tensor actions;      ///< a: the expert's or teacher's, int64
+  torch::Tensor is_best;      ///< a x 5: 1 where the regret is 0
+  torch::Tensor is_valid;     ///< a x 5: 1 where the action hits nothing
+  torch::Tensor svo_targets;  ///< a x levels: what the rule of waiting gives
 
   ImitationBatch to(torch::Device device) const;
   std::int64_t sampleCount() const { return actions.size(0); }
 };
 
-/// Puts scenes together; their partner graphs stay apart. SVO inputs are one-hot for one half of
-/// the agents and spread about their level for the others, as the network's own output would be.
+/// Puts scenes together; their partner graphs stay apart.
 /// @param width  of the memory, which is 0
-ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelSettings& labels,
-                         sylph::Rng& rng);
+ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelSettings& labels);
 
 }  // namespace sylph_training

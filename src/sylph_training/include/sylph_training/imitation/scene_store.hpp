@@ -10,9 +10,10 @@
 
 namespace sylph_training {
 
-/// A view of sylph::ObservationEncoder without loss in a word per cell: a bit for each channel but
-/// the last, then five bits of eight times the cost to go plus eight.
-using PackedView = std::array<std::uint32_t, sylph::kViewCells>;
+/// A view of sylph::ObservationEncoder in a word per cell: a bit for each binary channel, then five
+/// bits of eight times the cost to go plus eight, then a byte for each of the two gaps of SVO,
+/// which it holds to 1 / 127. The rest is without loss.
+using PackedView = std::array<std::uint64_t, sylph::kViewCells>;
 
 /// @param view  kObservationSize floats as encode() fills them
 PackedView packView(const float* view);
@@ -20,24 +21,25 @@ PackedView packView(const float* view);
 /// @param view  out: kObservationSize floats, the channels of a cell side by side
 void unpackView(const PackedView& view, float* out);
 
-/// Whether the expert had an agent give way to its partner.
-enum class Yielding : std::uint8_t { No, Yes, Unknown };
-
 /// What one agent sees and what it should do.
 struct Sample {
-  std::uint16_t agent = 0;  ///< row in its scene
-  std::uint8_t action = 0;  ///< the expert's
-  Yielding yielding = Yielding::Unknown;
+  std::uint16_t agent = 0;     ///< row in its scene
+  std::uint8_t action = 0;     ///< the expert's, or the teacher's most frequent one
+  std::uint8_t only_ties = 0;  ///< 1: only what it tells of the moves that come closer is of use
   Regrets regrets{};
+  std::array<std::uint8_t, sylph::kActionCount> votes{};  ///< of the teacher's draws; 0 if expert's
   PackedView view{};
 };
 
 /// What communication needs of an agent, whether it is a sample or not.
 struct SceneAgent {
   std::array<float, sylph::kVectorSize> vector{};
-  std::uint16_t partner = 0;  ///< row in the scene; an agent without partner is its own
-  std::uint16_t svo_level = 0;
+  std::uint16_t partner = 0;       ///< row in the scene; an agent without partner is its own
+  std::uint16_t svo_centideg = 0;  ///< SVO as all see it [deg / 100]
 };
+
+/// @param svo_deg  0 ... 45 [deg]
+std::uint16_t toCentidegrees(float svo_deg);
 
 /// One joint configuration: all of its agents and some of them as samples.
 struct Scene {

@@ -1,0 +1,92 @@
+#include "sylph_training/imitation/reactive_teacher.hpp"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace sylph_training {
+namespace {
+
+using sylph::Action;
+using sylph::AgentId;
+
+// A move's key, the least of which is taken first: the distance in these units, then taste.
+constexpr double kPerCell = 20.0;
+constexpr double kOccupied = 0.6;
+constexpr double kStraight = 1.2;
+constexpr double kPerLogit = 0.5;
+constexpr double kMostLogits = 8.0;  // so that taste never outweighs a cell
+
+}  // namespace
+
+ReactiveTeacher::Ranking::Ranking(const sylph::SearchProblem& problem, sylph::Rng& rng)
+    : problem_(&problem),
+      rng_(&rng),
+      is_occupied_(static_cast<std::size_t>(problem.graph.size()), 0) {}
+
+void ReactiveTeacher::Ranking::prepare(const Crowd& crowd, const sylph::AgentRows* logits) {
+  logits_ = logits;
+  straight_.assign(crowd.states().cells.size(), sylph::kNoVertex);
+  for (std::size_t agent = 0; agent < straight_.size(); ++agent) {
+    const Action last = crowd.states().last_moves[agent];
+    if (last != Action::Stay && crowd.isValid(static_cast<AgentId>(agent), last)) {
+      straight_[agent] = problem_->graph.vertexAt(neighbor(crowd.states().cells[agent], last));
+    }
+  }
+}
+
+void ReactiveTeacher::Ranking::observe(const sylph::Vertices& configuration) {
+  std::fill(is_occupied_.begin(), is_occupied_.end(), 0);
+  for (const sylph::VertexId vertex : configuration) {
+    is_occupied_[vertex] = 1;
+  }
+}
+
+void ReactiveTeacher::Ranking::rank(AgentId agent, sylph::VertexId at, sylph::Moves& moves) {
+  const sylph::Cell& cell = problem_->graph.cellAt(at);
+  std::array<double, sylph::kActionCount> keys{};
+  for (int index = 0; index < moves.count; ++index) {
+    const sylph::VertexId target = moves.targets[index];
+    double key = kPerCell * problem_->distances.get(agent, target) + sylph::drawFraction(*rng_);
+    key += target != at && is_occupied_[target] != 0 ? kOccupied : 0.0;
+    key -= target == straight_[static_cast<std::size_t>(agent)] ? kStraight : 0.0;
+    if (logits_ != nullptr) {
+      const Action action = *actionBetween(cell, problem_->graph.cellAt(target));
+      const double logit = (*logits_)(agent, static_cast<Eigen::Index>(action));
+      key -= kPerLogit * std::clamp(logit - logits_->row(agent).maxCoeff(), -kMostLogits, 0.0);
+    }
+    int slot = index;
+    for (; slot > 0 && keys[slot - 1] > key; --slot) {
+      keys[slot] = keys[slot - 1];
+      moves.targets[slot] = moves.targets[slot - 1];
+    }
+    keys[slot] = key;
+    moves.targets[slot] = target;
+  }
+}
+
+ReactiveTeacher::ReactiveTeacher(const sylph::SearchProblem& problem,
+                                 const sylph::MotionModel& motion, sylph::Rng& rng)
+    : problem_(&problem),
+      pibt_(problem.graph, problem.goals, problem.distances, motion),
+      ranking_(problem, rng) {}
+
+std::vector<Action> ReactiveTeacher::wishes(const Crowd& crowd, const std::vector<float>& svo_deg,
+                                            const sylph::AgentRows* logits) {
+  std::vector<AgentId> order(svo_deg.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(), [&](AgentId left, AgentId right) {
+    return svo_deg[static_cast<std::size_t>(left)] < svo_deg[static_cast<std::size_t>(right)];
+  });
+  ranking_.prepare(crowd, logits);
+  sylph::Vertices to(svo_deg.size(), sylph::kNoVertex);
+  pibt_.step(problem_->graph.toVertices(crowd.states().cells), order, ranking_, to);
+  std::vector<Action> wishes;
+  for (std::size_t agent = 0; agent < to.size(); ++agent) {
+    wishes.push_back(
+        *actionBetween(crowd.states().cells[agent], problem_->graph.cellAt(to[agent])));
+  }
+  return wishes;
+}
+
+}  // namespace sylph_training
