@@ -1,13 +1,22 @@
 #include "sylph_training/imitation/imitation_phase.hpp"
 
 #include <algorithm>
-#include <stdexcept>
+#include <array>
+#include <filesystem>
+#include <memory>
 
 namespace sylph_training {
 namespace {
 
 constexpr std::uint32_t kRngOffset = 77;  // a sequence of its own beside that of the weights
-constexpr std::uint32_t kCorrectionSeedOffset = 100'000'007;  // worlds of their own
+// Worlds of their own.
+constexpr std::uint32_t kTeacherSeedOffset = 100'000'007;
+constexpr std::uint32_t kStudentSeedOffset = 200'000'033;
+
+// Which figures of the meters are logged.
+constexpr std::array<const char*, 8> kMetered = {"solved",     "cost_ratio",     "recall",
+                                                 "precision",  "away_recall",    "away_precision",
+                                                 "role_flips", "svo_sensitivity"};
 
 int readCount(const sylph::YamlMap& yaml, const std::string& key, int otherwise) {
   return static_cast<int>(yaml.integer(key, otherwise, 1, 1000000000));
@@ -17,10 +26,9 @@ int readCount(const sylph::YamlMap& yaml, const std::string& key, int otherwise)
 
 ImitationSettings ImitationSettings::read(const sylph::YamlMap& yaml) {
   ImitationSettings settings;
-  if (yaml.text("kind") == "dagger") {
-    const auto corrections = yaml.map("corrections");
-    settings.corrections =
-        corrections ? CorrectionSettings::read(*corrections) : CorrectionSettings();
+  yaml.word("kind", {"imitation"}, yaml.text("kind"));
+  if (const auto reactive = yaml.map("reactive")) {
+    settings.reactive = ReactiveSettings::read(*reactive);
   }
   settings.steps = yaml.integer("steps", settings.steps, 1, 1000000000);
   settings.batch = readCount(yaml, "batch", settings.batch);
@@ -29,11 +37,14 @@ ImitationSettings ImitationSettings::read(const sylph::YamlMap& yaml) {
   settings.log_steps = readCount(yaml, "log_steps", settings.log_steps);
   settings.validation_steps = readCount(yaml, "validation_steps", settings.validation_steps);
   settings.validation_samples = readCount(yaml, "validation_samples", settings.validation_samples);
-  settings.bfloat16 = yaml.word("precision", {"bfloat16", "float"}, "bfloat16") == "bfloat16";
+  settings.precision = readPrecision(yaml);
+  settings.meter_steps = readCount(yaml, "meter_steps", settings.meter_steps);
+  if (const auto meters = yaml.map("meters")) {
+    settings.meters = MeterSettings::read(*meters);
+  }
   settings.valid_weight =
       yaml.number("valid_weight", settings.valid_weight, sylph::Range::atLeast(0.0));
-  settings.yielding_weight =
-      yaml.number("yielding_weight", settings.yielding_weight, sylph::Range::atLeast(0.0));
+  settings.svo_weight = yaml.number("svo_weight", settings.svo_weight, sylph::Range::atLeast(0.0));
   settings.labels.expert_share =
       yaml.number("expert_share", settings.labels.expert_share, {0.0, 1.0});
   settings.labels.regret_scale =
@@ -55,9 +66,10 @@ ImitationPhase::ImitationPhase(const ImitationSettings& settings, RunState& stat
       state_(&state),
       learner_(settings.learner, settings.steps, state.model, state.average),
       rng_(state.settings.seed + kRngOffset) {
-  const auto type = settings.bfloat16 ? torch::kBFloat16 : torch::kFloat;
-  state.model->setEncoderType(type);
-  state.average->setEncoderType(type);
+  setEncoderType(encoderType(settings.precision, state.model, state.settings.device));
+  if (settings.meters) {
+    metered_.assign(meterWorlds().size() * kMetered.size(), 0.0);
+  }
   const auto prepare = [](const ShardSettings& shards, int count, Source& source) {
     const SceneSource scenes = expertScenes(shards.demonstration);
     for (int shard = 0; shard < count; ++shard) {
@@ -66,40 +78,67 @@ ImitationPhase::ImitationPhase(const ImitationSettings& settings, RunState& stat
     source.folder = shards.folder;
     source.load(count);
   };
-  prepare(validationShards(state.settings, state.folder), state.settings.validation_shards,
-          validation_);
-  prepare(trainingShards(state.settings, state.folder), settings.first_shards, demonstrations_);
-  if (settings.corrections) {
-    makeCorrections();
+  if (settings.reactive) {
+    prepareReactive();
+  } else {
+    prepare(validationShards(state.settings, state.folder), state.settings.validation_shards,
+            validation_);
+  }
+  if (!settings.reactive || settings.reactive->share < 1.0) {
+    prepare(trainingShards(state.settings, state.folder), settings.first_shards, demonstrations_);
   }
 }
 
-void ImitationPhase::makeCorrections() {
-  const CorrectionSettings& settings = *settings_.corrections;
-  ShardSettings shards = trainingShards(state_->settings, state_->folder);
-  shards.worlds = settings.worlds_per_shard;
-  const auto policy = std::make_shared<const sylph::Policy>(exportWeights(state_->average),
-                                                            "the policy in training");
-  const SceneSource scenes = correctedScenes(policy, settings, shards.demonstration);
-  for (int round = 1; round <= settings.round; ++round) {
-    shards.folder = state_->folder + "/corrections_" + std::to_string(round);
-    shards.seed = state_->settings.seed + kCorrectionSeedOffset * static_cast<std::uint32_t>(round);
-    for (int shard = 0; round == settings.round && shard < settings.shards; ++shard) {
+void ImitationPhase::setEncoderType(torch::ScalarType type) {
+  encoder_type_ = type;
+  state_->model->setEncoderType(type);
+  state_->average->setEncoderType(type);
+}
+
+// Validation is by what the teacher says where it leads; what counts, where the policy leads, the
+// meters tell.
+void ImitationPhase::prepareReactive() {
+  const ReactiveSettings& settings = *settings_.reactive;
+  const SceneSource scenes = teacherLedScenes(settings);
+  const auto prepare = [&](ShardSettings shards, const std::string& folder, std::uint32_t offset,
+                           int count, Source& source) {
+    shards.folder = state_->folder + "/" + folder;
+    shards.seed += offset;
+    shards.worlds = settings.worlds_per_shard;
+    for (int shard = 0; shard < count; ++shard) {
       makeShard(shards, shard, scenes);
     }
-    if (countShards(shards.folder) == 0) {
-      throw std::runtime_error(shards.folder + ": has no shards: round " +
-                               std::to_string(settings.round) + " needs those before it");
-    }
-    corrections_.emplace_back().folder = shards.folder;
-    corrections_.back().load(countShards(shards.folder));
-  }
+    source.folder = shards.folder;
+    source.load(count);
+  };
+  prepare(validationShards(state_->settings, state_->folder), "validation_teacher_led",
+          kTeacherSeedOffset, state_->settings.validation_shards, validation_);
+  prepare(trainingShards(state_->settings, state_->folder), "teacher_led", kTeacherSeedOffset,
+          settings.teacher_shards, teacher_led_);
+  student_led_.folder = state_->folder + "/student_led";
+}
+
+// Shards that a run which was killed has left behind after its checkpoint are made anew: they are
+// of the same weights.
+void ImitationPhase::addStudentShard() {
+  ShardSettings shards = trainingShards(state_->settings, state_->folder);
+  shards.folder = student_led_.folder;
+  shards.seed += kStudentSeedOffset;
+  shards.worlds = settings_.reactive->worlds_per_shard;
+  const auto policy = std::make_shared<const sylph::Policy>(exportWeights(state_->average),
+                                                            "the policy in training");
+  const auto index = static_cast<int>(student_led_.shards.size());
+  std::filesystem::remove(shardPath(shards.folder, index));
+  makeShard(shards, index, studentLedScenes(policy, *settings_.reactive));
+  student_led_.load(index + 1);
 }
 
 const SceneStore& ImitationPhase::drawShard() {
   const Source* source = &demonstrations_;
-  if (settings_.corrections && sylph::drawFraction(rng_) < settings_.corrections->share) {
-    source = &corrections_[sylph::drawIndex(rng_, corrections_.size())];
+  if (settings_.reactive && sylph::drawFraction(rng_) < settings_.reactive->share) {
+    const bool is_student = !student_led_.shards.empty() &&
+                            sylph::drawFraction(rng_) < settings_.reactive->student_share;
+    source = is_student ? &student_led_ : &teacher_led_;
   }
   return source->shards[sylph::drawIndex(rng_, source->shards.size())];
 }
@@ -116,14 +155,14 @@ std::vector<Pick> ImitationPhase::drawBatch() {
 }
 
 std::optional<Figures> ImitationPhase::step(long step) {
-  if (step == 0 && settings_.corrections) {
-    copyWeights(state_->average, state_->model);  // it is the average that was corrected
-  }
-  if (step % settings_.refill_steps == 0) {
+  if (step % settings_.refill_steps == 0 && !demonstrations_.folder.empty()) {
     demonstrations_.load(countShards(demonstrations_.folder));
   }
+  if (settings_.reactive && step > 0 && step % settings_.reactive->student_steps == 0) {
+    addStudentShard();
+  }
   const ImitationBatch batch =
-      makeBatch(drawBatch(), state_->model->shape().width, settings_.labels, rng_)
+      makeBatch(drawBatch(), state_->model->shape().width, settings_.labels)
           .to(state_->settings.device);
   const ImitationLoss loss = imitationLoss(state_->model, batch, settings_);
   const double norm = learner_.step(step, loss.total);
@@ -131,7 +170,11 @@ std::optional<Figures> ImitationPhase::step(long step) {
   if ((step + 1) % settings_.validation_steps == 0 || step + 1 == settings_.steps) {
     validate();
   }
-  const std::vector<double> measured = {loss.cross_entropy, loss.accuracy, loss.best, loss.yielding,
+  if (settings_.meters &&
+      ((step + 1) % settings_.meter_steps == 0 || step + 1 == settings_.steps)) {
+    readMeters();
+  }
+  const std::vector<double> measured = {loss.cross_entropy, loss.accuracy, loss.best, loss.svo,
                                         norm};
   sums_.resize(measured.size(), 0.0);
   std::transform(measured.begin(), measured.end(), sums_.begin(), sums_.begin(), std::plus<>());
@@ -146,20 +189,37 @@ std::optional<Figures> ImitationPhase::step(long step) {
                      {"cross_entropy", mean(0)},
                      {"accuracy", mean(1)},
                      {"best", mean(2)},
-                     {"yielding", mean(3)},
+                     {"svo", mean(3)},
                      {"gradient_norm", mean(4)},
                      {"validation_cross_entropy", validated_.cross_entropy},
                      {"validation_accuracy", validated_.accuracy},
                      {"validation_best", validated_.best},
-                     {"validation_yielding", validated_.yielding}};
+                     {"validation_svo", validated_.svo}};
+  for (std::size_t index = 0; index < metered_.size(); ++index) {
+    figures.emplace_back("meter_" + meterWorlds()[index / kMetered.size()].name() + "_" +
+                             kMetered[index % kMetered.size()],
+                         metered_[index]);
+  }
   sums_.clear();
   summed_ = 0;
   return figures;
 }
 
+void ImitationPhase::readMeters() {
+  const sylph::Policy policy(exportWeights(state_->average), "the policy in training");
+  metered_.clear();
+  for (const MeterWorlds& worlds : meterWorlds()) {
+    const Figures figures = measure(policy, worlds, *settings_.meters).figures();
+    for (const char* name : kMetered) {
+      metered_.push_back(std::find_if(figures.begin(), figures.end(), [&](const auto& figure) {
+                           return figure.first == name;
+                         })->second);
+    }
+  }
+}
+
 void ImitationPhase::validate() {
   const torch::NoGradGuard no_grad;
-  sylph::Rng rng(state_->settings.seed);
   ImitationLoss sum;
   int samples = 0;
   for (const SceneStore& store : validation_.shards) {
@@ -173,13 +233,13 @@ void ImitationPhase::validate() {
       drawn += static_cast<int>(store.samples(scene).count);
       if (picks.size() == 64 || scene + stride >= store.sceneCount()) {
         const ImitationBatch batch =
-            makeBatch(picks, state_->model->shape().width, settings_.labels, rng)
+            makeBatch(picks, state_->model->shape().width, settings_.labels)
                 .to(state_->settings.device);
         const ImitationLoss loss = imitationLoss(state_->average, batch, settings_);
         sum.cross_entropy += loss.cross_entropy * drawn;
         sum.accuracy += loss.accuracy * drawn;
         sum.best += loss.best * drawn;
-        sum.yielding += loss.yielding * drawn;
+        sum.svo += loss.svo * drawn;
         samples += drawn;
         drawn = 0;
         picks.clear();
@@ -190,16 +250,19 @@ void ImitationPhase::validate() {
                 sum.cross_entropy / samples,
                 sum.accuracy / samples,
                 sum.best / samples,
-                sum.yielding / samples};
+                sum.svo / samples};
 }
 
 void ImitationPhase::save(torch::serialize::OutputArchive& archive) const {
   learner_.save(archive);
   sylph_training::save(archive, "rng", rng_);
   archive.write("shards", c10::IValue(static_cast<std::int64_t>(demonstrations_.shards.size())));
+  archive.write("student_led", c10::IValue(static_cast<std::int64_t>(student_led_.shards.size())));
   archive.write("samples_seen", c10::IValue(static_cast<std::int64_t>(samples_seen_)));
+  archive.write("bfloat16", c10::IValue(encoder_type_ == torch::kBFloat16));
+  archive.write("metered", torch::tensor(metered_, torch::kDouble));
   archive.write("validated", torch::tensor({validated_.cross_entropy, validated_.accuracy,
-                                            validated_.best, validated_.yielding},
+                                            validated_.best, validated_.svo},
                                            torch::kDouble));
 }
 
@@ -210,8 +273,17 @@ void ImitationPhase::load(torch::serialize::InputArchive& archive) {
   archive.read("shards", value);
   demonstrations_.shards.clear();
   demonstrations_.load(static_cast<int>(value.toInt()));
+  archive.read("student_led", value);
+  student_led_.shards.clear();
+  student_led_.load(static_cast<int>(value.toInt()));
   archive.read("samples_seen", value);
   samples_seen_ = value.toInt();
+  archive.read("bfloat16", value);
+  setEncoderType(value.toBool() ? torch::kBFloat16 : torch::kFloat);
+  torch::Tensor metered;
+  archive.read("metered", metered);
+  metered = metered.to(torch::kCPU);
+  metered_.assign(metered.data_ptr<double>(), metered.data_ptr<double>() + metered.numel());
   torch::Tensor validated;
   archive.read("validated", validated);
   validated = validated.to(torch::kCPU);
@@ -222,6 +294,7 @@ void ImitationPhase::load(torch::serialize::InputArchive& archive) {
 std::map<std::string, std::string> ImitationPhase::notes() const {
   return {{"imitation_samples", std::to_string(samples_seen_)},
           {"validation_best", std::to_string(validated_.best)},
+          {"precision", nameOf(encoder_type_)},
           {"memory", "false"}};
 }
 

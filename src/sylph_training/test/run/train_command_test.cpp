@@ -67,17 +67,27 @@ class TrainCommandTest : public ::testing::Test {
     }
     return command;
   }
+  void expectKilledRunGoesOn(const std::string& config);
   std::string output() const { return folder_.path("output"); }
 
   sylph::TemporaryFolder folder_;
 };
 
-TEST_F(TrainCommandTest, AKilledRunGoesOnAsIfNothingHadHappened) {
-  folder_.write("config.yaml", kConfig);
+// Shards led by the policy and meters on the way.
+constexpr char kReactive[] = R"(
+     , reactive: {teacher_shards: 1, student_steps: 20, worlds_per_shard: 2, samples_per_world: 100},
+     meter_steps: 50, meters: {worlds: 1, steps: 2}}
+)";
+
+void TrainCommandTest::expectKilledRunGoesOn(const std::string& config) {
+  folder_.write("config.yaml", config);
   ASSERT_EQ(0, wait(start(train("whole"), output()))) << read(output());
   std::filesystem::create_directory(folder_.path("killed"));
-  for (const std::string data : {"/demonstrations", "/validation"}) {
-    std::filesystem::copy(folder_.path("whole") + data, folder_.path("killed") + data);
+  for (const std::string data :
+       {"/demonstrations", "/validation", "/teacher_led", "/validation_teacher_led"}) {
+    if (std::filesystem::exists(folder_.path("whole") + data)) {
+      std::filesystem::copy(folder_.path("whole") + data, folder_.path("killed") + data);
+    }
   }
   const pid_t child = start(train("killed"), output());
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(30);
@@ -94,6 +104,15 @@ TEST_F(TrainCommandTest, AKilledRunGoesOnAsIfNothingHadHappened) {
             read(folder_.path("killed/log_0_imitation.csv")));
   const auto policy = sylph::Policy::load(folder_.path("killed/weights.safetensors"));
   EXPECT_EQ(16, policy.network().shape().width);
+}
+
+TEST_F(TrainCommandTest, AKilledRunGoesOnAsIfNothingHadHappened) {
+  expectKilledRunGoesOn(kConfig);
+}
+
+TEST_F(TrainCommandTest, SoDoesOneThatTheReactiveTeacherLabels) {
+  std::string config = kConfig;
+  expectKilledRunGoesOn(config.replace(config.rfind('}'), 1, kReactive));
 }
 
 TEST_F(TrainCommandTest, BadInputIsOneLineAndStatus2) {

@@ -6,10 +6,12 @@
 #include <vector>
 
 #include "sylph_core/grid/rng.hpp"
-#include "sylph_training/imitation/corrections.hpp"
 #include "sylph_training/imitation/imitation_batch.hpp"
+#include "sylph_training/imitation/reactive_scenes.hpp"
 #include "sylph_training/model/learner.hpp"
+#include "sylph_training/model/precision.hpp"
 #include "sylph_training/run/phase.hpp"
+#include "sylph_training/run/policy_meters.hpp"
 
 namespace sylph_training {
 
@@ -22,14 +24,15 @@ struct ImitationSettings {
   int log_steps = 20;             ///< steps between lines of the log, > 0
   int validation_steps = 200;     ///< steps between validations, > 0
   int validation_samples = 8000;  ///< about, > 0
-  bool bfloat16 = true;           ///< encode views in bfloat16
-  double valid_weight = 0.0;      ///< of the valid actions' loss, >= 0; the paper has 0.5
-  double yielding_weight = 0.1;   ///< of the SVO head's loss, >= 0
+  Precision precision = Precision::Auto;
+  double valid_weight = 0.0;  ///< of the valid actions' loss, >= 0; the paper has 0.5
+  double svo_weight = 0.1;    ///< of the SVO head's loss, >= 0
   LabelSettings labels;
   LearnerSettings learner;
-  std::optional<CorrectionSettings> corrections;  ///< of the policy as it is when the phase begins
+  std::optional<ReactiveSettings> reactive;  ///< without it all samples are demonstrations
+  int meter_steps = 1000;                    ///< steps between looks at the meters, > 0
+  std::optional<MeterSettings> meters;       ///< what is measured then, if anything
 
-  /// Kind `imitation`, or `dagger`, which has corrections.
   /// @throws std::runtime_error with one line naming file, line, field and what is allowed
   static ImitationSettings read(const sylph::YamlMap& yaml);
 };
@@ -40,19 +43,21 @@ struct ImitationLoss {
   double cross_entropy = 0.0;  ///< of the actions towards the labels
   double accuracy = 0.0;       ///< share of the expert's actions among the most likely ones
   double best = 0.0;           ///< share of most likely actions without regret
-  double yielding = 0.0;       ///< cross entropy of the SVO head towards who gives way
+  double svo = 0.0;            ///< cross entropy of the SVO head towards the rule of waiting
 };
 
 /// He et al. 2024 trains by reinforcement learning alone; this is a warm start.
 ///
-/// Actions: cross entropy towards the labels, and, weighed, binary cross entropy of the logits
-/// against the set of valid actions as in the paper. SVO: cross entropy of the head towards the
-/// most prosocial level where the expert has the agent give way to its partner, and towards the
-/// most selfish one where the agent goes first.
+/// Actions: cross entropy towards the labels among the actions that they compare. The teacher tells
+/// whether to come closer to the goal and how to give way if not, but not by which of several moves
+/// to come closer: that is what the expert's regrets are for. To it is added, weighed,
+/// binary cross entropy of the logits against the set of valid actions as in the paper. SVO: cross
+/// entropy of the head towards the rule of waiting, see sylph::svoByWaiting().
 ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
                             const ImitationSettings& settings);
 
-/// Learning from demonstrations.
+/// Learning from demonstrations and from what a reactive teacher says of configurations to which it
+/// or the policy itself has come.
 class ImitationPhase : public Phase {
  public:
   ImitationPhase(const ImitationSettings& settings, RunState& state);
@@ -74,21 +79,27 @@ class ImitationPhase : public Phase {
     void load(int count);
   };
 
-  void makeCorrections();
+  void prepareReactive();
+  void addStudentShard();
   const SceneStore& drawShard();
   std::vector<Pick> drawBatch();
+  void setEncoderType(torch::ScalarType type);
   void validate();
+  void readMeters();
 
   ImitationSettings settings_;
   RunState* state_;
   Learner learner_;
   Source demonstrations_;
-  std::deque<Source> corrections_;  // one per round
+  Source teacher_led_;
+  Source student_led_;
   Source validation_;
   sylph::Rng rng_;
   std::vector<double> sums_;  // of the figures since the last line of the log
   long summed_ = 0;
   ImitationLoss validated_;
+  std::vector<double> metered_;  // as kMetered in the source file, of each kind of worlds
+  torch::ScalarType encoder_type_ = torch::kFloat;
   long samples_seen_ = 0;
 };
 
