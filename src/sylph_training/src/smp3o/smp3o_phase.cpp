@@ -20,7 +20,7 @@ constexpr std::array<const char*, 4> kValidated = {"solved", "goals_reached", "e
 /// The model, with what the phase before would have exported.
 PolicyModel& prepared(RunState& state, const Smp3oSettings& settings) {
   copyWeights(state.average, state.model);
-  const auto type = settings.bfloat16 ? torch::kBFloat16 : torch::kFloat;
+  const auto type = encoderType(settings.precision, state.model, state.settings.device);
   state.model->setEncoderType(type);
   state.average->setEncoderType(type);
   return state.model;

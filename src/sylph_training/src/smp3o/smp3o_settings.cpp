@@ -98,7 +98,7 @@ Smp3oSettings Smp3oSettings::read(const YamlMap& yaml) {
   readCount(yaml, "environments", settings.environments);
   readCount(yaml, "rollout_steps", settings.rollout_steps);
   settings.memory = yaml.boolean("memory", settings.memory);
-  settings.bfloat16 = yaml.word("precision", {"bfloat16", "float"}, "float") == "bfloat16";
+  settings.precision = readPrecision(yaml);
   if (const auto worlds = yaml.map("worlds")) {
     settings.worlds = WorldSettings::read(*worlds);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "sylph_training/imitation/imitation_phase.hpp"
+#include "sylph_training/model/precision.hpp"
 #include "sylph_training/run/phase.hpp"
 #include "sylph_training/smp3o/rollout.hpp"
 #include "sylph_training/smp3o/smp3o_learner.hpp"
@@ -21,11 +22,11 @@ struct Smp3oSettings {
   /// Rollouts and, in between, steps of imitation, > 0. The default makes the paper's 2e7 agent
   /// steps if none is of imitation ...
   long steps = 488;
-  int environments = 16;                ///< ... with 16 worlds side by side, > 0 ...
-  int rollout_steps = 256;              ///< ... for 256 steps, > 0, of about 10 agents
-  bool memory = true;                   ///< feed the network's memory back from step to step
-  bool bfloat16 = false;                ///< encode views in bfloat16
-  std::optional<WorldSettings> worlds;  ///< instead of the run's
+  int environments = 16;    ///< ... with 16 worlds side by side, > 0 ...
+  int rollout_steps = 256;  ///< ... for 256 steps, > 0, of about 10 agents
+  bool memory = true;       ///< feed the network's memory back from step to step
+  Precision precision = Precision::Auto;
+  std::optional<WorldSettings> worlds;          ///< instead of the run's
   std::optional<SymmetricWorldSpec> symmetric;  ///< worlds of the case study instead
   int validation_rollouts = 10;                 ///< rollouts between evaluations, > 0, on ...
   int validation_environments = 24;             ///< ... so many worlds, > 0, always the same
