@@ -47,11 +47,9 @@ class Labeller {
       : crowd_(&crowd),
         settings_(&settings),
         rng_(&rng),
-        teacher_(crowd.problem(), crowd.instance().motion, rng),
-        distances_(distanceFields(crowd.instance())),
-        encoder_(crowd.instance().grid, distances_) {}
+        teacher_(crowd.problem(), rng),
+        encoder_(crowd.instance().grid, crowd.problem().distances.fields()) {}
 
-  const std::vector<sylph::DistanceField>& distances() const { return distances_; }
   ReactiveTeacher& teacher() { return teacher_; }
 
   /// @param logits  that the teacher's taste is to follow, nullptr: its own
@@ -143,20 +141,11 @@ class Labeller {
     return sample;
   }
 
-  static std::vector<sylph::DistanceField> distanceFields(const sylph::Instance& instance) {
-    std::vector<sylph::DistanceField> fields;
-    for (const sylph::Cell& goal : instance.goals) {
-      fields.emplace_back(instance.grid, goal);
-    }
-    return fields;
-  }
-
   const Crowd* crowd_;
   const ReactiveSettings* settings_;
   sylph::Rng* rng_;
   ReactiveTeacher teacher_;
-  std::vector<sylph::DistanceField> distances_;
-  sylph::ObservationEncoder encoder_;  // refers to distances_
+  sylph::ObservationEncoder encoder_;
 };
 
 /// The teacher's wishes, less some that give way, with a little noise.
@@ -228,7 +217,7 @@ SceneSource teacherLedScenes(const ReactiveSettings& settings) {
     Crowd crowd(instance, problem, drawTieBreaks(instance.starts.size(), rng));
     Labeller labeller(crowd, settings, rng);
     const auto distance = [&](AgentId agent, const sylph::Cell& cell) {
-      return labeller.distances()[static_cast<std::size_t>(agent)].at(cell);
+      return problem.distances.fields()[static_cast<std::size_t>(agent)].at(cell);
     };
     sylph::Partners partners(instance.grid, distance, instance.starts);
     const double mistakes = settings.mistakes * sylph::drawFraction(rng);
@@ -258,8 +247,8 @@ SceneSource studentLedScenes(std::shared_ptr<const sylph::Policy> policy,
       return false;
     }
     const sylph::SearchProblem problem(instance);
-    sylph::PolicyRollout rollout(*policy, instance.grid, instance.goals, sylph::SvoChoice::Waiting,
-                                 1, rng);
+    sylph::PolicyRollout rollout(*policy, instance.grid, problem.distances.fields(),
+                                 sylph::SvoChoice::Waiting, 1, rng);
     Crowd crowd(instance, problem, rollout.tieBreaks());
     Labeller labeller(crowd, settings, rng);
     sylph::PolicyStep step = rollout.nothingKnown();

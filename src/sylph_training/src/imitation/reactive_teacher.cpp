@@ -1,7 +1,6 @@
 #include "sylph_training/imitation/reactive_teacher.hpp"
 
 #include <algorithm>
-#include <array>
 #include <numeric>
 
 namespace sylph_training {
@@ -20,9 +19,7 @@ constexpr double kMostLogits = 8.0;  // so that taste never outweighs a cell
 }  // namespace
 
 ReactiveTeacher::Ranking::Ranking(const sylph::SearchProblem& problem, sylph::Rng& rng)
-    : problem_(&problem),
-      rng_(&rng),
-      is_occupied_(static_cast<std::size_t>(problem.graph.size()), 0) {}
+    : problem_(&problem), rng_(&rng) {}
 
 void ReactiveTeacher::Ranking::prepare(const Crowd& crowd, const sylph::AgentRows* logits) {
   logits_ = logits;
@@ -35,41 +32,25 @@ void ReactiveTeacher::Ranking::prepare(const Crowd& crowd, const sylph::AgentRow
   }
 }
 
-void ReactiveTeacher::Ranking::observe(const sylph::Vertices& configuration) {
-  std::fill(is_occupied_.begin(), is_occupied_.end(), 0);
-  for (const sylph::VertexId vertex : configuration) {
-    is_occupied_[vertex] = 1;
-  }
-}
-
-void ReactiveTeacher::Ranking::rank(AgentId agent, sylph::VertexId at, sylph::Moves& moves) {
+void ReactiveTeacher::Ranking::rank(AgentId agent, sylph::VertexId at,
+                                    const sylph::Occupants& occupied_now, sylph::Moves& moves) {
   const sylph::Cell& cell = problem_->graph.cellAt(at);
-  std::array<double, sylph::kActionCount> keys{};
-  for (int index = 0; index < moves.count; ++index) {
-    const sylph::VertexId target = moves.targets[index];
+  sortMoves(moves, [&](sylph::VertexId target) {
     double key = kPerCell * problem_->distances.get(agent, target) + sylph::drawFraction(*rng_);
-    key += target != at && is_occupied_[target] != 0 ? kOccupied : 0.0;
+    key += target != at && occupied_now[target] != sylph::kNoAgent ? kOccupied : 0.0;
     key -= target == straight_[static_cast<std::size_t>(agent)] ? kStraight : 0.0;
     if (logits_ != nullptr) {
       const Action action = *actionBetween(cell, problem_->graph.cellAt(target));
       const double logit = (*logits_)(agent, static_cast<Eigen::Index>(action));
-      key -= kPerLogit * std::clamp(logit - logits_->row(agent).maxCoeff(), -kMostLogits, 0.0);
+      key -= kPerLogit * std::clamp(logit - static_cast<double>(logits_->row(agent).maxCoeff()),
+                                    -kMostLogits, 0.0);
     }
-    int slot = index;
-    for (; slot > 0 && keys[slot - 1] > key; --slot) {
-      keys[slot] = keys[slot - 1];
-      moves.targets[slot] = moves.targets[slot - 1];
-    }
-    keys[slot] = key;
-    moves.targets[slot] = target;
-  }
+    return key;
+  });
 }
 
-ReactiveTeacher::ReactiveTeacher(const sylph::SearchProblem& problem,
-                                 const sylph::MotionModel& motion, sylph::Rng& rng)
-    : problem_(&problem),
-      pibt_(problem.graph, problem.goals, problem.distances, motion),
-      ranking_(problem, rng) {}
+ReactiveTeacher::ReactiveTeacher(const sylph::SearchProblem& problem, sylph::Rng& rng)
+    : problem_(&problem), pibt_(problem), ranking_(problem, rng) {}
 
 std::vector<Action> ReactiveTeacher::wishes(const Crowd& crowd, const std::vector<float>& svo_deg,
                                             const sylph::AgentRows* logits) {

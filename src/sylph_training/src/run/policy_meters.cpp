@@ -90,10 +90,10 @@ class Meter {
         rng_(&rng),
         tally_(&tally),
         problem_(instance_),
-        rollout_(policy, instance_.grid, instance_.goals, settings.svo, 1, rng),
-        probe_(policy, instance_.grid, instance_.goals, sylph::SvoChoice::Mean, 1, rng),
+        rollout_(policy, instance_.grid, problem_.distances.fields(), settings.svo, 1, rng),
+        probe_(policy, instance_.grid, problem_.distances.fields(), sylph::SvoChoice::Mean, 1, rng),
         crowd_(instance_, problem_, rollout_.tieBreaks()),
-        teacher_(problem_, instance_.motion, rng) {}
+        teacher_(problem_, rng) {}
 
   void play() {
     sylph::PolicyStep before = rollout_.nothingKnown();

@@ -50,7 +50,7 @@ TEST(ReactiveTeacherTest, WhoIsMoreProsocialBacksOut) {
   const sylph::SearchProblem problem(instance);
   sylph::Rng rng(1);
   const Crowd crowd(instance, problem, {0.F, 0.F});
-  ReactiveTeacher teacher(problem, {}, rng);
+  ReactiveTeacher teacher(problem, rng);
   EXPECT_EQ((std::vector<Action>{Action::East, Action::East}), teacher.wishes(crowd, {5.F, 40.F}));
 }
 
@@ -66,7 +66,7 @@ TEST(ReactiveTeacherTest, SolvesDenseWorldsInTheOrderOfWaiting) {
       tie_breaks.push_back(static_cast<float>(sylph::drawFraction(rng)));
     }
     Crowd crowd(instance, problem, tie_breaks);
-    ReactiveTeacher teacher(problem, instance.motion, rng);
+    ReactiveTeacher teacher(problem, rng);
     for (int step = 0; step < 300 && !crowd.isSolved(); ++step) {
       const std::vector<float> svo_deg = crowd.states().svo_deg;
       crowd.move(teacher.wishes(crowd, svo_deg), svo_deg);
@@ -81,7 +81,7 @@ TEST(ReactiveTeacherTest, APolicysTasteDecidesBetweenEquallyShortMoves) {
   const sylph::SearchProblem problem(instance);
   sylph::Rng rng(1);
   const Crowd crowd(instance, problem, {0.F});
-  ReactiveTeacher teacher(problem, {}, rng);
+  ReactiveTeacher teacher(problem, rng);
   for (const Action favourite : {Action::East, Action::South}) {
     sylph::AgentRows logits = sylph::AgentRows::Zero(1, sylph::kActionCount);
     logits(0, static_cast<Eigen::Index>(favourite)) = 6.F;

@@ -20,8 +20,7 @@ namespace sylph_training {
 class ReactiveTeacher {
  public:
   /// @param problem, rng  must outlive this object
-  ReactiveTeacher(const sylph::SearchProblem& problem, const sylph::MotionModel& motion,
-                  sylph::Rng& rng);
+  ReactiveTeacher(const sylph::SearchProblem& problem, sylph::Rng& rng);
 
   /// @param crowd    of the same problem
   /// @param svo_deg  that tells the order, one per agent [deg]
@@ -34,14 +33,13 @@ class ReactiveTeacher {
    public:
     Ranking(const sylph::SearchProblem& problem, sylph::Rng& rng);
     void prepare(const Crowd& crowd, const sylph::AgentRows* logits);
-    void observe(const sylph::Vertices& configuration) override;
-    void rank(sylph::AgentId agent, sylph::VertexId at, sylph::Moves& moves) override;
+    void rank(sylph::AgentId agent, sylph::VertexId at, const sylph::Occupants& occupied_now,
+              sylph::Moves& moves) override;
 
    private:
     const sylph::SearchProblem* problem_;
     sylph::Rng* rng_;
     const sylph::AgentRows* logits_ = nullptr;
-    std::vector<char> is_occupied_;          // per vertex
     std::vector<sylph::VertexId> straight_;  // per agent: where its last move would take it again
   };
 
