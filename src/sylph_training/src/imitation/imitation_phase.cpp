@@ -274,8 +274,12 @@ void ImitationPhase::load(torch::serialize::InputArchive& archive) {
   demonstrations_.shards.clear();
   demonstrations_.load(static_cast<int>(value.toInt()));
   archive.read("student_led", value);
+  const auto student_led = static_cast<int>(value.toInt());
   student_led_.shards.clear();
-  student_led_.load(static_cast<int>(value.toInt()));
+  student_led_.load(std::min(student_led, countShards(student_led_.folder)));
+  while (static_cast<int>(student_led_.shards.size()) < student_led) {
+    addStudentShard();  // of a checkpoint that came without its folder
+  }
   archive.read("samples_seen", value);
   samples_seen_ = value.toInt();
   archive.read("bfloat16", value);
