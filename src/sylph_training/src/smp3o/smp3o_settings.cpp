@@ -128,6 +128,7 @@ Smp3oSettings Smp3oSettings::read(const YamlMap& yaml) {
       yaml.word("svo_feedback", {"sample", "distribution"}, "distribution");
   settings.svo.feedback = feedback == "sample" ? SvoFeedback::Sample : SvoFeedback::Distribution;
   settings.learner = readLearner(yaml);
+  yaml.word("kind", {"smp3o"}, yaml.text("kind"));
   yaml.refuseUnread();
   return settings;
 }

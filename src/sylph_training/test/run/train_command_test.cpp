@@ -24,7 +24,7 @@ worlds: {side: [10, 11], usual_side: [10, 11], most_agents: 20}
 demonstrations: {improvement_s: 0.01, samples_per_world: 100}
 phases:
   - {kind: imitation, steps: 60, batch: 64, first_shards: 2, log_steps: 2, validation_steps: 20,
-     validation_samples: 50, learning_rate: 0.01}
+     validation_samples: 50, learning_rate: 0.01, precision: float}
 )";
 
 pid_t start(const std::vector<std::string>& arguments, const std::string& output) {

@@ -17,8 +17,8 @@ constexpr char kSmall[] =
 
 TrainingSettings settingsFrom(const std::string& phase) {
   const sylph::TemporaryFolder folder;
-  return TrainingSettings::load(
-      folder.write("config.yaml", kSmall + ("phases: [{kind: smp3o, " + phase + "}]\n")));
+  return TrainingSettings::load(folder.write(
+      "config.yaml", kSmall + ("phases: [{kind: smp3o, precision: float, " + phase + "}]\n")));
 }
 
 RunState stateOf(const TrainingSettings& settings) {
