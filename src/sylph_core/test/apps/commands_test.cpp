@@ -250,7 +250,7 @@ TEST_F(CommandsTest, BadWeightsAreOneLineAndStatusTwo) {
   TensorFile file = RandomWeights(smallShape(), 2).file();
   file.metadata["channels"] = "9";
   saveTensorFile(file, folder_.path("w.safetensors"));
-  expectWeights("metadata 'channels' is '9': must be '21'");
+  expectWeights("metadata 'channels' is '9': must be '32'");
   file = RandomWeights(smallShape(), 2).file();
   file.tensors["goal.bias"].shape = {2, 2};
   saveTensorFile(file, folder_.path("w.safetensors"));
@@ -305,7 +305,7 @@ TEST_F(CommandsTest, BadSuitesAreOneLineAndStatusTwo) {
   const std::string good = "families: [{name: a, agents: [1], map: a.map, scenarios: [a.scen]}]\n";
   expectSuite("/bad.yaml: is empty, must be a YAML mapping", "");
   expectSuite("/bad.yaml:2: is not YAML: ", "families:\n  - {name");
-  expectSuite("/bad.yaml:1: family: unknown key", "family: a\n");
+  expectSuite("/bad.yaml:2: family: unknown key", good + "family: a\n");
   expectSuite("/b.map: there is no such file",
               "families: [{name: a, agents: [1], map: b.map, scenarios: [a.scen]}]\n");
   expectSuite("--planner: astar not in {", good, " --planner astar");
