@@ -395,7 +395,7 @@ TEST_F(MocapBridgeNodeTest, EachBadParameterIsRefusedByName) {
   };
   EXPECT_TRUE(refuses("input", "vicon"));
   EXPECT_TRUE(refuses("server_address", "no.such.host.invalid"));
-  EXPECT_TRUE(refuses("server_address", 5));
+  EXPECT_TRUE(refuses("server_address", true));
   EXPECT_TRUE(refuses("local_interface", "no.such.host.invalid"));
   EXPECT_TRUE(refuses("command_port", 0));
   EXPECT_TRUE(refuses("data_port", 65536));
