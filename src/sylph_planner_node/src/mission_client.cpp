@@ -121,6 +121,10 @@ void MissionClient::waitForResult() {
   while (ros::ok()) {
     const auto state = client_.getState();
     if (state == actionlib::SimpleClientGoalState::LOST) {
+      if (!client_.isServerConnected()) {
+        std::this_thread::sleep_for(kPollPeriod);
+        continue;  // a goal sent now would reach nobody, and the client would wait for ever
+      }
       say("the planner was started again: giving it the mission anew");
       sendMission();
     } else if (state.isDone()) {
