@@ -14,7 +14,7 @@
 #include <thread>
 
 #include "mock_robot.hpp"
-#include "sylph_core/adg/mission_plan.hpp"
+#include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_ros/conversions.hpp"
 
 namespace sylph_adg_central {

@@ -9,7 +9,9 @@
 #include <string>
 
 #include "sylph_core/adg/execution.hpp"
-#include "sylph_core/adg/execution_types.hpp"
+#include "sylph_core/execution/robot_report.hpp"
+#include "sylph_core/execution/robot_view.hpp"
+#include "sylph_core/execution/task_order.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph_adg_central {

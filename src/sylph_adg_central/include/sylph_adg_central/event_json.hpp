@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/adg/execution_types.hpp"
+#include "sylph_core/execution/execution_event.hpp"
 
 namespace sylph_adg_central {
 

@@ -4,7 +4,7 @@
 
 #include <string>
 
-#include "sylph_core/adg/execution_types.hpp"
+#include "sylph_core/adg/execution_limits.hpp"
 #include "sylph_core/experiment/experiment.hpp"
 
 namespace sylph_adg_central {

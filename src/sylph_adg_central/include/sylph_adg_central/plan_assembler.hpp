@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "sylph_core/adg/mission_plan.hpp"
+#include "sylph_core/execution/mission_plan.hpp"
 
 namespace sylph_adg_central {
 

@@ -6,7 +6,7 @@
 
 #include "sylph_adg_central/event_log.hpp"
 #include "sylph_core/adg/execution.hpp"
-#include "sylph_core/adg/mission_plan.hpp"
+#include "sylph_core/execution/mission_plan.hpp"
 
 namespace sylph_adg_central {
 

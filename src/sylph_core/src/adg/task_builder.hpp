@@ -4,7 +4,8 @@
 #include <unordered_map>
 #include <vector>
 
-#include "sylph_core/adg/task.hpp"
+#include "sylph_core/adg/plan_refused.hpp"
+#include "sylph_core/execution/task.hpp"
 
 namespace sylph::internal {
 

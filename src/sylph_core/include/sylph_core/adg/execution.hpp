@@ -7,8 +7,11 @@
 #include <vector>
 
 #include "sylph_core/adg/action_dependency_graph.hpp"
-#include "sylph_core/adg/execution_types.hpp"
+#include "sylph_core/adg/execution_limits.hpp"
 #include "sylph_core/adg/robot_monitor.hpp"
+#include "sylph_core/execution/execution_event.hpp"
+#include "sylph_core/execution/robot_view.hpp"
+#include "sylph_core/execution/task_order.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph {

@@ -3,7 +3,8 @@
 #include <optional>
 #include <string>
 
-#include "sylph_core/adg/execution_types.hpp"
+#include "sylph_core/adg/execution_limits.hpp"
+#include "sylph_core/execution/robot_report.hpp"
 
 namespace sylph {
 

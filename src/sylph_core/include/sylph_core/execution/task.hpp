@@ -1,10 +1,6 @@
 #pragma once
 
 #include <optional>
-#include <stdexcept>
-#include <string>
-#include <utility>
-#include <vector>
 
 #include "sylph_core/grid/action.hpp"
 #include "sylph_core/grid/cell.hpp"
@@ -28,20 +24,6 @@ struct Task {
   Cell start;
   Cell end;
   std::optional<TaskId> leaver;  ///< type-2 dependency: another agent's task that leaves `end`
-};
-
-/// A plan that cannot be carried out.
-class PlanRefused : public std::invalid_argument {
- public:
-  PlanRefused(Timestep timestep, std::vector<AgentId> agents, const std::string& message)
-      : std::invalid_argument(message), timestep_(timestep), agents_(std::move(agents)) {}
-
-  Timestep timestep() const { return timestep_; }
-  const std::vector<AgentId>& agents() const { return agents_; }
-
- private:
-  Timestep timestep_;
-  std::vector<AgentId> agents_;
 };
 
 }  // namespace sylph

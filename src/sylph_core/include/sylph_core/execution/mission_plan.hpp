@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "sylph_core/mapf/types.hpp"
-#include "sylph_core/planners/planner.hpp"
+#include "sylph_core/social/social_state.hpp"
 
 namespace sylph {
 

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace sylph {
+
+enum class ExecutionPhase : std::uint8_t {
+  Idle = 0,       ///< no plan
+  Receiving = 1,  ///< a plan arrives, or waits until it may start
+  Executing = 2,
+  Cutting = 3,   ///< robots run to the commit cut, for a new plan from there
+  AtCut = 4,     ///< all at the cut: waiting for the plan that replaces this one
+  Finished = 5,  ///< every robot that is not lost has done all its tasks
+  Refused = 6,   ///< the plan cannot be executed
+};
+
+enum class ExecutionMode : std::uint8_t {
+  Run = 0,
+  Pause = 1,  ///< no new task is released, robots finish those that they have
+  Stop = 2,   ///< robots ramp to zero at once
+};
+
+enum class RobotCondition : std::uint8_t {
+  Ok = 0,
+  Silent = 1,  ///< no report for longer than the limit
+  Stuck = 2,   ///< no progress for longer than the limit
+  Blind = 3,   ///< reports that it has no good pose
+  Lost = 4,    ///< out of the mission; its cells stay held
+};
+
+enum class ReportState : std::uint8_t { Idle = 0, Moving = 1, Holding = 2, Blind = 3 };
+
+std::string toString(ExecutionPhase phase);
+std::string toString(ExecutionMode mode);
+std::string toString(RobotCondition condition);
+
+}  // namespace sylph
