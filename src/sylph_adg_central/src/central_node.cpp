@@ -8,6 +8,7 @@
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/parameters.hpp"
+#include "sylph_ros/task_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_adg_central {
@@ -155,7 +156,7 @@ void CentralNode::onJointAction(const sylph_msgs::JointAction& message) {
 }
 
 void CentralNode::onReport(int robot, const sylph_msgs::TaskReport& message) {
-  const std::optional<sylph::RobotReport> report = fromMessage(message);
+  const std::optional<sylph::RobotReport> report = sylph_ros::fromMessage(message);
   if (!report) {
     ROS_WARN_THROTTLE(1.0, "malformed report of %s", execution_.name(robot).c_str());
     return;
@@ -232,7 +233,7 @@ void CentralNode::flush() {
     record_.add({stamp_s, event});
   }
   for (const sylph::TaskOrder& order : execution_.takeOrders(clock_.now())) {
-    sylph_msgs::Task task = toMessage(order, execution_.name(order.robot), frame_);
+    sylph_msgs::Task task = sylph_ros::toMessage(order, execution_.name(order.robot), frame_);
     task.header.stamp = ros::Time::now();
     task_publishers_[static_cast<std::size_t>(order.robot)].publish(task);
   }

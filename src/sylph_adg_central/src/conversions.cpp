@@ -1,8 +1,5 @@
 #include "sylph_adg_central/conversions.hpp"
 
-#include <cmath>
-#include <limits>
-
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -11,7 +8,6 @@ namespace {
 
 using sylph_msgs::AdgState;
 using sylph_msgs::RobotExecution;
-using sylph_msgs::TaskReport;
 
 // Enumerators have the values of the messages' constants.
 template <typename Enumerator>
@@ -33,64 +29,12 @@ static_assert(isSame(sylph::RobotCondition::Ok, RobotExecution::OK) &&
               isSame(sylph::RobotCondition::Stuck, RobotExecution::STUCK) &&
               isSame(sylph::RobotCondition::Blind, RobotExecution::BLIND) &&
               isSame(sylph::RobotCondition::Lost, RobotExecution::LOST));
-static_assert(isSame(sylph::ReportState::Idle, TaskReport::IDLE) &&
-              isSame(sylph::ReportState::Moving, TaskReport::MOVING) &&
-              isSame(sylph::ReportState::Holding, TaskReport::HOLDING) &&
-              isSame(sylph::ReportState::Blind, TaskReport::BLIND));
-static_assert(isSame(sylph::TaskStatus::Staged, sylph_msgs::Task::STAGED) &&
-              isSame(sylph::TaskStatus::Enqueued, sylph_msgs::Task::ENQUEUED) &&
-              isSame(sylph::TaskStatus::Done, sylph_msgs::Task::DONE));
-
 template <typename Integer>
 std::uint32_t toUnsigned(Integer value) {
   return static_cast<std::uint32_t>(value);
 }
 
 }  // namespace
-
-sylph_msgs::Task toMessage(const sylph::TaskOrder& order, const std::string& robot,
-                           const sylph::CellFrame& frame) {
-  sylph_msgs::Task message;
-  message.header.frame_id = sylph_ros::kMapFrame;
-  message.plan_id = order.plan_id;
-  message.task_id = toUnsigned(order.task.id);
-  message.sequence = toUnsigned(order.sequence);
-  message.robot_tasks = toUnsigned(order.robot_tasks);
-  message.robot_id = robot;
-  message.action = sylph_ros::toMessage(order.task.action);
-  message.start_cell = sylph_ros::toMessage(order.task.start);
-  message.end_cell = sylph_ros::toMessage(order.task.end);
-  message.start_pos = sylph_ros::toMessage(frame.toPoint(order.task.start));
-  message.end_pos = sylph_ros::toMessage(frame.toPoint(order.task.end));
-  message.time = toUnsigned(order.task.timestep);
-  for (const sylph::TaskId dependency : order.dependencies) {
-    message.dependencies.push_back(toUnsigned(dependency));
-  }
-  message.status = static_cast<std::uint8_t>(order.status);
-  return message;
-}
-
-std::optional<sylph::RobotReport> fromMessage(const TaskReport& message) {
-  constexpr auto kMaxCount = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
-  if (message.state > TaskReport::BLIND || message.accepted > kMaxCount ||
-      message.done > message.accepted) {
-    return std::nullopt;
-  }
-  sylph::RobotReport report;
-  report.report_id = message.report_id;
-  report.stamp_s = message.header.stamp.toSec();
-  report.plan_id = message.plan_id;
-  report.accepted = static_cast<int>(message.accepted);
-  report.done = static_cast<int>(message.done);
-  report.state = static_cast<sylph::ReportState>(message.state);
-  report.detail = message.detail;
-  if (std::isfinite(message.x) && std::isfinite(message.y)) {
-    report.position = sylph::Point{message.x, message.y};
-  }
-  report.tracking_error_m = message.tracking_error_m;
-  report.pose_age_s = message.pose_age_s;
-  return report;
-}
 
 RobotExecution toMessage(const sylph::RobotView& view, const std::string& robot) {
   RobotExecution message;

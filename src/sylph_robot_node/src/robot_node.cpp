@@ -10,6 +10,7 @@
 
 #include "sylph_robot_node/conversions.hpp"
 #include "sylph_robot_node/shutdown_request.hpp"
+#include "sylph_ros/task_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_robot_node {
@@ -52,7 +53,7 @@ void RobotNode::onTask(const sylph_msgs::Task& message) {
     return;
   }
   std::string reason;
-  const auto task = fromMessage(message, frame_, reason);
+  const auto task = sylph_ros::fromMessage(message, frame_, reason);
   if (!task) {
     ROS_WARN_THROTTLE(1.0, "%s", reason.c_str());
     return;
@@ -126,30 +127,31 @@ void RobotNode::goDown(double now_s) {
 }
 
 void RobotNode::report(double now_s) {
-  const std::uint32_t report_id = last_report_.report_id + 1;
-  last_report_ = toMessage(controller_.status(now_s));
-  last_report_.report_id = report_id;
-  last_report_.robot_id = options_.robot;
-  last_report_.header.stamp = ros::Time::now();
-  last_report_.header.frame_id = sylph_ros::kMapFrame;
-  report_publisher_.publish(last_report_);
-  reported_s_ = now_s;
+  publish(controller_.report(now_s), now_s);
 }
 
 void RobotNode::reportChange(double now_s) {
-  const sylph::RobotProgress now = controller_.progress();
-  const bool is_same = static_cast<std::uint8_t>(now.state) == last_report_.state &&
-                       now.plan_id == last_report_.plan_id &&
-                       static_cast<std::uint32_t>(now.accepted) == last_report_.accepted &&
-                       static_cast<std::uint32_t>(now.done) == last_report_.done;
-  if (!is_same) {
-    report(now_s);
+  const sylph::RobotReport now = controller_.report(now_s);
+  if (!sylph::tellTheSame(now, last_report_)) {
+    publish(now, now_s);
   }
 }
 
+void RobotNode::publish(const sylph::RobotReport& report, double now_s) {
+  const std::uint32_t report_id = last_report_.report_id + 1;
+  last_report_ = report;
+  last_report_.report_id = report_id;
+  sylph_msgs::TaskReport message = sylph_ros::toMessage(last_report_);
+  message.robot_id = options_.robot;
+  message.header.stamp = ros::Time::now();
+  message.header.frame_id = sylph_ros::kMapFrame;
+  report_publisher_.publish(message);
+  reported_s_ = now_s;
+}
+
 void RobotNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  const bool is_well = last_report_.state == sylph_msgs::TaskReport::IDLE ||
-                       last_report_.state == sylph_msgs::TaskReport::MOVING;
+  const bool is_well = last_report_.state == sylph::RobotState::Idle ||
+                       last_report_.state == sylph::RobotState::Moving;
   status.summary(
       is_well ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN,
       last_report_.detail.empty() ? "driving" : last_report_.detail);

@@ -192,10 +192,10 @@ std::vector<TaskOrder> Execution::takeOrders(double now_s) {
         continue;
       }
       sent_s = now_s;
-      const TaskId id = graph_->tasksOf(robot)[index(receiver.first_sequence + k)];
+      const Task& task = graph_->task(graph_->tasksOf(robot)[index(receiver.first_sequence + k)]);
       const int total = static_cast<int>(graph_->tasksOf(robot).size()) - receiver.first_sequence;
-      orders.push_back({robot, plan_->plan_id, k, total, graph_->task(id), graph_->status(id),
-                        graph_->dependencies(id)});
+      orders.push_back({plan_->plan_id, k, task.start, task.end, graph_->status(task.id), robot,
+                        total, task.id, task.timestep, graph_->dependencies(task.id)});
     }
   }
   return orders;

@@ -135,11 +135,11 @@ std::optional<std::string> Execution::reasonToWait(double now_s) const {
       return member + " does not report";
     }
     const RobotReport& report = *robot.report();
-    if (report.state == ReportState::Blind || !report.position) {
+    if (report.state == RobotState::Blind || !report.pose) {
       return member + " has no good pose" +
              (report.detail.empty() ? std::string() : ": " + report.detail);
     }
-    if (report.state == ReportState::Moving) {
+    if (report.state == RobotState::Moving) {
       return member + " still moves";
     }
     if (plan_ && report.plan_id == plan_->plan_id && report.done < report.accepted) {
@@ -154,16 +154,15 @@ std::optional<std::string> Execution::reasonNotAtStart(const MissionPlan& plan) 
   for (std::size_t agent = 0; agent < plan.robots.size(); ++agent) {
     const int robot = *indexOf(plan.robots[agent]);
     members.insert(robot);
-    const Point position = robots_[index(robot)].monitor.report()->position.value();
+    const Point place = position(robots_[index(robot)].monitor.report()->pose.value());
     const Cell start = plan.plan.front()[agent];
-    const Cell cell = frame_.toCell(position);
+    const Cell cell = frame_.toCell(place);
     if (cell != start) {
       return "it starts " + name(robot) + " in " + toString(start) + ", but the robot is in " +
              toString(cell);
     }
     const Point center = frame_.toPoint(start);
-    const double offset_m =
-        std::max(std::abs(position.x - center.x), std::abs(position.y - center.y));
+    const double offset_m = std::max(std::abs(place.x - center.x), std::abs(place.y - center.y));
     if (offset_m > limits_.start_offset_m) {
       return name(robot) + " stands " + metres(offset_m) + " off the centre of its start " +
              toString(start) + ": at most " + metres(limits_.start_offset_m) + " are allowed";
@@ -175,10 +174,10 @@ std::optional<std::string> Execution::reasonNotAtStart(const MissionPlan& plan) 
   }
   for (int robot = 0; robot < robotCount(); ++robot) {
     const std::optional<RobotReport>& report = robots_[index(robot)].monitor.report();
-    if (members.count(robot) > 0 || !report || !report->position) {
+    if (members.count(robot) > 0 || !report || !report->pose) {
       continue;
     }
-    const Cell cell = frame_.toCell(*report->position);
+    const Cell cell = frame_.toCell(position(*report->pose));
     if (visited.count(cell) > 0) {
       return "it leads through " + toString(cell) + ", where " + name(robot) +
              " stands, which takes no part";

@@ -22,11 +22,11 @@ RobotView Execution::view(int robot, double now_s) const {
   const std::optional<RobotReport>& report = viewed.monitor.report();
   RobotView view;
   view.condition = viewed.monitor.condition();
-  view.report_state = report ? report->state : ReportState::Idle;
+  view.report_state = report ? report->state : RobotState::Idle;
   view.svo_deg = std::numeric_limits<float>::quiet_NaN();
   if (mission_goals_.count(robot) == 0) {
-    if (report && report->position) {
-      view.cell = frame_.toCell(*report->position);
+    if (report && report->pose) {
+      view.cell = frame_.toCell(position(*report->pose));
       view.goal = view.cell;
       view.held_cells = {view.cell};
       view.remaining_path = {view.cell};

@@ -1,15 +1,10 @@
 #include "sylph_core/adg/robot_monitor.hpp"
 
-#include <cmath>
 #include <cstdio>
 #include <tuple>
 
 namespace sylph {
 namespace {
-
-double distance(const Point& a, const Point& b) {
-  return std::hypot(a.x - b.x, a.y - b.y);
-}
 
 std::string seconds(double value) {
   char text[32];
@@ -28,15 +23,15 @@ bool RobotMonitor::accept(const RobotReport& report, double now_s) {
   if (is_late) {
     return false;
   }
-  if (report.position &&
-      (!report_ || distance(*report.position, progress_at_) >= limits_.progress_m)) {
-    progress_at_ = *report.position;
+  if (report.pose &&
+      (!report_ || distance(position(*report.pose), progress_at_) >= limits_.progress_m)) {
+    progress_at_ = position(*report.pose);
     progress_s_ = now_s;
   }
-  const std::optional<Point> last_position = report_ ? report_->position : std::nullopt;
+  const std::optional<Pose2d> last_pose = report_ ? report_->pose : std::nullopt;
   report_ = report;
-  if (!report_->position) {
-    report_->position = last_position;
+  if (!report_->pose) {
+    report_->pose = last_pose;
   }
   received_s_ = now_s;
   return true;
@@ -44,13 +39,13 @@ bool RobotMonitor::accept(const RobotReport& report, double now_s) {
 
 RobotCondition RobotMonitor::judge(bool should_move, double now_s) {
   // A robot that has nothing to do, or cannot see, makes no progress and is not stuck.
-  if (!should_move || (report_ && report_->state == ReportState::Blind)) {
+  if (!should_move || (report_ && report_->state == RobotState::Blind)) {
     progress_s_ = now_s;
   }
   if (now_s - received_s_ > limits_.silent_after_s) {
     return RobotCondition::Silent;
   }
-  if (report_ && report_->state == ReportState::Blind) {
+  if (report_ && report_->state == RobotState::Blind) {
     return RobotCondition::Blind;
   }
   if (now_s - progress_s_ > limits_.stuck_after_s) {

@@ -37,7 +37,7 @@ RobotController::RobotController(const RobotControllerOptions& options, const Gr
   }
 }
 
-TaskAnswer RobotController::onTask(const AssignedTask& task, double now_s) {
+TaskAnswer RobotController::onTask(const TaskOrder& task, double now_s) {
   const TaskAnswer answer = tasks_.offer(task, whereabouts(now_s));
   if (answer.verdict == TaskVerdict::Accepted) {
     followTasks();
@@ -104,8 +104,8 @@ void RobotController::detectArrival(const Pose2d& pose, const Twist2d& twist_map
   }
 }
 
-void RobotController::onCentralState(CentralMode mode, double now_s) {
-  if (mode_ == CentralMode::Stop && mode == CentralMode::Run) {
+void RobotController::onCentralState(ExecutionMode mode, double now_s) {
+  if (mode_ == ExecutionMode::Stop && mode == ExecutionMode::Run) {
     watch_.confirm();  // people have resumed
   }
   mode_ = mode;
@@ -194,25 +194,24 @@ Twist2d RobotController::send(const Twist2d& command_map, double now_s) {
   return slip_.compensate(robotFromMap(command_map, yaw_rad));
 }
 
-RobotProgress RobotController::progress() const {
-  return {decision_.state, tasks_.planId(), tasks_.accepted(), tasks_.done()};
-}
-
-RobotStatus RobotController::status(double now_s) const {
-  RobotStatus status;
-  static_cast<RobotProgress&>(status) = progress();
-  status.detail = decision_.detail;
-  status.pose_age_s = watch_.age(now_s);
+RobotReport RobotController::report(double now_s) const {
+  RobotReport report;
+  report.plan_id = tasks_.planId();
+  report.accepted = tasks_.accepted();
+  report.done = tasks_.done();
+  report.state = decision_.state;
+  report.detail = decision_.detail;
+  report.pose_age_s = watch_.age(now_s);
   if (watch_.last()) {
-    status.pose = watch_.last()->pose;
-    status.heading_error_rad = shortestAngle(options_.follower.heading_rad, status.pose.yaw_rad);
+    report.pose = watch_.last()->pose;
+    report.heading_error_rad = shortestAngle(options_.follower.heading_rad, report.pose->yaw_rad);
     if (follower_.path().legCount() > 0) {
       // The leg before counts too: an arrival is reported a little before its end.
-      status.tracking_error_m = distanceToRest(follower_.path(), std::max(0, reachedWaypoint() - 1),
-                                               position(status.pose));
+      report.tracking_error_m = distanceToRest(follower_.path(), std::max(0, reachedWaypoint() - 1),
+                                               position(*report.pose));
     }
   }
-  return status;
+  return report;
 }
 
 }  // namespace sylph

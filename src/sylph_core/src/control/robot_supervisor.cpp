@@ -28,7 +28,7 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
   if (!situation.central_silence_s) {
     return stop(situation, "central node not heard yet");
   }
-  if (situation.mode == CentralMode::Stop) {
+  if (situation.mode == ExecutionMode::Stop) {
     return stop(situation, "stopped by the central node");
   }
   if (situation.is_displaced) {
@@ -56,10 +56,10 @@ void EmergencyLatch::onEmergencyStop(bool is_pressed) {
   is_pressed_ = is_pressed;
 }
 
-void EmergencyLatch::onCentralMode(CentralMode mode) {
-  if (mode == CentralMode::Stop) {
+void EmergencyLatch::onCentralMode(ExecutionMode mode) {
+  if (mode == ExecutionMode::Stop) {
     was_stopped_ = true;
-  } else if (mode == CentralMode::Run && was_stopped_ && !is_pressed_) {
+  } else if (mode == ExecutionMode::Run && was_stopped_ && !is_pressed_) {
     is_waiting_for_resume_ = false;
   }
 }

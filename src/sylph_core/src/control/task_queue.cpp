@@ -10,18 +10,14 @@ namespace {
 
 constexpr std::size_t kMostWaiting = 64;
 
-std::string nameOf(const AssignedTask& task) {
+std::string nameOf(const TaskOrder& task) {
   return "task " + std::to_string(task.sequence) + " of plan " + std::to_string(task.plan_id) +
          " from " + toString(task.start) + " to " + toString(task.end);
 }
 
 }  // namespace
 
-bool operator==(const AssignedTask& a, const AssignedTask& b) {
-  return a.plan_id == b.plan_id && a.sequence == b.sequence && a.start == b.start && a.end == b.end;
-}
-
-TaskAnswer TaskQueue::offer(const AssignedTask& task, const Whereabouts& whereabouts) {
+TaskAnswer TaskQueue::offer(const TaskOrder& task, const Whereabouts& whereabouts) {
   if (task.plan_id == 0) {
     return {TaskVerdict::Refused, nameOf(task) + ": plans count from 1"};
   }
@@ -37,10 +33,10 @@ TaskAnswer TaskQueue::offer(const AssignedTask& task, const Whereabouts& whereab
   return task.plan_id == plan_id_ ? offerOfThisPlan(task) : offerOfNewPlan(task, whereabouts);
 }
 
-TaskAnswer TaskQueue::offerOfThisPlan(const AssignedTask& task) {
-  const std::size_t sequence = task.sequence;
+TaskAnswer TaskQueue::offerOfThisPlan(const TaskOrder& task) {
+  const auto sequence = static_cast<std::size_t>(task.sequence);
   if (sequence < tasks_.size()) {
-    if (!(tasks_[sequence] == task)) {
+    if (!isSameTask(tasks_[sequence], task)) {
       return {TaskVerdict::Refused, nameOf(task) + ": was " + nameOf(tasks_[sequence])};
     }
     return {TaskVerdict::Repeated, ""};
@@ -55,20 +51,19 @@ TaskAnswer TaskQueue::offerOfThisPlan(const AssignedTask& task) {
     return {TaskVerdict::Refused, *contradiction};
   }
   accept(task);
-  for (auto next = waiting_.find(static_cast<std::uint32_t>(tasks_.size()));
-       next != waiting_.end() && !contradictionOf(next->second);
-       next = waiting_.find(static_cast<std::uint32_t>(tasks_.size()))) {
+  for (auto next = waiting_.find(accepted());
+       next != waiting_.end() && !contradictionOf(next->second); next = waiting_.find(accepted())) {
     accept(next->second);
     waiting_.erase(next);
   }
   return {TaskVerdict::Accepted, ""};
 }
 
-TaskAnswer TaskQueue::offerOfNewPlan(const AssignedTask& task, const Whereabouts& whereabouts) {
+TaskAnswer TaskQueue::offerOfNewPlan(const TaskOrder& task, const Whereabouts& whereabouts) {
   if (task.sequence != 0) {
     return {TaskVerdict::Early, nameOf(task) + ": the plan's first task is missing"};
   }
-  if (!task.is_done) {
+  if (task.status != TaskStatus::Done) {
     if (!isIdle() && !whereabouts.is_displaced) {
       return {TaskVerdict::Early,
               nameOf(task) + ": plan " + std::to_string(plan_id_) + " is not done"};
@@ -93,19 +88,19 @@ TaskAnswer TaskQueue::offerOfNewPlan(const AssignedTask& task, const Whereabouts
   return {TaskVerdict::Accepted, ""};
 }
 
-std::optional<std::string> TaskQueue::contradictionOf(const AssignedTask& task) const {
+std::optional<std::string> TaskQueue::contradictionOf(const TaskOrder& task) const {
   if (!tasks_.empty() && tasks_.back().end != task.start) {
     return nameOf(task) + ": the one before ends in " + toString(tasks_.back().end);
   }
-  if (task.is_done && !isIdle()) {
+  if (task.status == TaskStatus::Done && !isIdle()) {
     return nameOf(task) + ": told to be done, but the one before is not";
   }
   return std::nullopt;
 }
 
-void TaskQueue::accept(const AssignedTask& task) {
+void TaskQueue::accept(const TaskOrder& task) {
   tasks_.push_back(task);
-  if (task.is_done) {
+  if (task.status == TaskStatus::Done) {
     ++done_;
   }
 }
@@ -117,7 +112,7 @@ void TaskQueue::completeCurrent() {
   ++done_;
 }
 
-std::optional<AssignedTask> TaskQueue::current() const {
+std::optional<TaskOrder> TaskQueue::current() const {
   if (isIdle()) {
     return std::nullopt;
   }

@@ -74,7 +74,7 @@ struct Robot {
   }
   bool hasTask() const { return done < accepted(); }
   void carryOut(const CellFrame& frame) {
-    position = frame.toPoint(tasks.at(done).task.end);
+    position = frame.toPoint(tasks.at(done).end);
     carried_out.push_back(done);
     ++done;
   }
@@ -85,8 +85,8 @@ struct Robot {
     report.plan_id = plan_id;
     report.accepted = accepted();
     report.done = done;
-    report.state = hasTask() ? ReportState::Moving : ReportState::Idle;
-    report.position = position;
+    report.state = hasTask() ? RobotState::Moving : RobotState::Idle;
+    report.pose = Pose2d{position.x, position.y, 0.0};
     return report;
   }
 };

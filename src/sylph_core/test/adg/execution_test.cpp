@@ -225,7 +225,7 @@ TEST_F(ExecutionTest, NoticesSilenceBlindnessAndStandstill) {
   EXPECT_EQ("robot_2", execution_->view(0, now_s_).root_cause_robot);
   EXPECT_EQ(0u, execution_->view(0, now_s_).root_cause.find("no progress for "));
   RobotReport blind = robots_[2].report(now_s_);
-  blind.state = ReportState::Blind;
+  blind.state = RobotState::Blind;
   blind.detail = "pose 0.3 s old";
   execution_->report(2, blind, now_s_);
   execution_->tick(now_s_);

@@ -29,14 +29,14 @@ class World {
   /// Tasks along a row of plan 1, from (2,0) eastwards.
   void sendEastward(int count) {
     for (int k = 0; k < count; ++k) {
-      controller.onTask({1, static_cast<std::uint32_t>(k), {2, k}, {2, k + 1}, false}, now_s);
+      controller.onTask({1, k, {2, k}, {2, k + 1}}, now_s);
     }
   }
 
   /// Tasks of plan 1 along a path of cells.
   void sendAlong(const std::vector<Cell>& path) {
-    for (std::uint32_t k = 0; k + 1 < path.size(); ++k) {
-      controller.onTask({1, k, path[k], path[k + 1], false}, now_s);
+    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
+      controller.onTask({1, static_cast<int>(k), path[k], path[k + 1]}, now_s);
     }
   }
 
@@ -61,7 +61,7 @@ class World {
     node_runs = true;
   }
 
-  RobotStatus status() const { return controller.status(now_s); }
+  RobotReport report() const { return controller.report(now_s); }
   double speedNow() const { return speed(command_robot); }
   double x() const { return pose.x_m; }
 
@@ -72,7 +72,7 @@ class World {
   Pose2d camera_offset;  // added to what the cameras tell
   Twist2d command_robot;
   double grip = 1.0;  // share of the wheels' motion that reaches the floor
-  CentralMode mode = CentralMode::Run;
+  ExecutionMode mode = ExecutionMode::Run;
   bool central_sends = true;
   bool cameras_send = true;
   bool node_runs = true;
@@ -118,14 +118,14 @@ class World {
 TEST(RobotControllerTest, CarriesOutItsTasks) {
   World world({2, 0});
   world.run(0.2);
-  EXPECT_EQ(RobotState::Idle, world.status().state);
+  EXPECT_EQ(RobotState::Idle, world.report().state);
   world.sendEastward(3);
-  EXPECT_EQ(3, world.status().accepted);
+  EXPECT_EQ(3, world.report().accepted);
   world.run(1.0);
-  EXPECT_EQ(RobotState::Moving, world.status().state);
+  EXPECT_EQ(RobotState::Moving, world.report().state);
   world.run(3.5);
-  EXPECT_EQ(RobotState::Idle, world.status().state);
-  EXPECT_EQ(3, world.status().done);
+  EXPECT_EQ(RobotState::Idle, world.report().state);
+  EXPECT_EQ(3, world.report().done);
   EXPECT_NEAR(1.05, world.x(), 0.005);
   EXPECT_LT(world.speedNow(), 0.005);
 }
@@ -147,11 +147,11 @@ TEST(RobotControllerTest, DoesNotMoveBeforeTheCentralNodeIsHeard) {
   world.run(0.2);
   world.sendEastward(1);
   world.run(2.0);
-  EXPECT_EQ(RobotState::Holding, world.status().state);
+  EXPECT_EQ(RobotState::Holding, world.report().state);
   EXPECT_NEAR(0.15, world.x(), 1e-6);
   world.central_sends = true;
   world.run(2.0);
-  EXPECT_EQ(1, world.status().done);
+  EXPECT_EQ(1, world.report().done);
 }
 
 TEST(RobotControllerTest, RampsToZeroWithoutPosesAndGoesOnByItself) {
@@ -163,12 +163,12 @@ TEST(RobotControllerTest, RampsToZeroWithoutPosesAndGoesOnByItself) {
   world.run(0.1);
   EXPECT_GT(world.speedNow(), 0.2);
   world.run(0.06);
-  EXPECT_EQ(RobotState::Blind, world.status().state);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
   world.run(0.25);
   EXPECT_DOUBLE_EQ(0.0, world.speedNow());
   world.cameras_send = true;
   world.run(4.0);
-  EXPECT_EQ(4, world.status().done);
+  EXPECT_EQ(4, world.report().done);
 }
 
 double distanceToPath(const DrivePath& path, const Point& point) {
@@ -209,7 +209,7 @@ TEST(RobotControllerTest, ANodeThatIsStarvedAtTheWorstMomentStaysWithinTheMargin
     SCOPED_TRACE(after_s);
     World world(path.front());
     worst_m = std::max(worst_m, largestDeviation(world, path, after_s));
-    EXPECT_EQ(4, world.status().done);  // and it goes on by itself
+    EXPECT_EQ(4, world.report().done);  // and it goes on by itself
   }
   EXPECT_LT(worst_m, overrun_m);
   // The moments tried are the bad ones: a base that latches for half a second leaves its cells.
@@ -225,8 +225,8 @@ TEST(RobotControllerTest, APoseThatIsNotFiniteStopsIt) {
   world.run(2.0);
   world.camera_offset.x_m = kNaN;
   world.run(0.4);
-  EXPECT_EQ(RobotState::Blind, world.status().state);
-  EXPECT_EQ("pose is not finite", world.status().detail);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  EXPECT_EQ("pose is not finite", world.report().detail);
   EXPECT_DOUBLE_EQ(0.0, world.speedNow());
 }
 
@@ -235,16 +235,16 @@ TEST(RobotControllerTest, AStopRampsToZeroAtOnceAndARunGoesOn) {
   world.run(0.2);
   world.sendEastward(4);
   world.run(2.0);
-  world.mode = CentralMode::Stop;
+  world.mode = ExecutionMode::Stop;
   world.run(0.1);
   const double x_m = world.x();
   world.run(0.3);
   EXPECT_DOUBLE_EQ(0.0, world.speedNow());
   EXPECT_LT(world.x() - x_m, 0.06);
-  EXPECT_EQ(RobotState::Holding, world.status().state);
-  world.mode = CentralMode::Run;
+  EXPECT_EQ(RobotState::Holding, world.report().state);
+  world.mode = ExecutionMode::Run;
   world.run(4.0);
-  EXPECT_EQ(4, world.status().done);
+  EXPECT_EQ(4, world.report().done);
 }
 
 TEST(RobotControllerTest, FinishesItsTaskWhenTheCentralNodeFallsSilent) {
@@ -254,13 +254,13 @@ TEST(RobotControllerTest, FinishesItsTaskWhenTheCentralNodeFallsSilent) {
   world.run(0.5);
   world.central_sends = false;
   world.run(4.0);
-  EXPECT_EQ(RobotState::Holding, world.status().state);
-  EXPECT_NE(std::string::npos, world.status().detail.find("silent"));
-  EXPECT_EQ(1, world.status().done);
+  EXPECT_EQ(RobotState::Holding, world.report().state);
+  EXPECT_NE(std::string::npos, world.report().detail.find("silent"));
+  EXPECT_EQ(1, world.report().done);
   EXPECT_NEAR(0.45, world.x(), 0.012);
   world.central_sends = true;
   world.run(4.5);
-  EXPECT_EQ(4, world.status().done);
+  EXPECT_EQ(4, world.report().done);
 }
 
 TEST(RobotControllerTest, AnEmergencyStopLastsUntilStopAndResume) {
@@ -274,11 +274,11 @@ TEST(RobotControllerTest, AnEmergencyStopLastsUntilStopAndResume) {
   world.controller.onEmergencyStop(false);
   world.run(1.0);
   EXPECT_DOUBLE_EQ(0.0, world.speedNow());
-  world.mode = CentralMode::Stop;
+  world.mode = ExecutionMode::Stop;
   world.run(0.5);
-  world.mode = CentralMode::Run;
+  world.mode = ExecutionMode::Run;
   world.run(4.0);
-  EXPECT_EQ(4, world.status().done);
+  EXPECT_EQ(4, world.report().done);
 }
 
 TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
@@ -289,12 +289,12 @@ TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
   world.loseSightFor(0.3);
   world.camera_offset.y_m = 0.5;
   world.run(0.5);
-  EXPECT_EQ(RobotState::Holding, world.status().state);
-  EXPECT_NE(std::string::npos, world.status().detail.find("put it back"));
+  EXPECT_EQ(RobotState::Holding, world.report().state);
+  EXPECT_NE(std::string::npos, world.report().detail.find("put it back"));
   world.loseSightFor(0.3);
   world.camera_offset.y_m = 0.0;
   world.run(4.0);
-  EXPECT_EQ(2, world.status().done);
+  EXPECT_EQ(2, world.report().done);
 }
 
 TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
@@ -304,14 +304,14 @@ TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
   world.run(1.0);
   world.camera_offset.x_m = 0.1;
   world.run(2.0);
-  EXPECT_EQ(RobotState::Blind, world.status().state);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
   EXPECT_DOUBLE_EQ(0.0, world.speedNow());
-  world.mode = CentralMode::Stop;
+  world.mode = ExecutionMode::Stop;
   world.run(0.5);
-  EXPECT_EQ(RobotState::Blind, world.status().state);
-  world.mode = CentralMode::Run;
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  world.mode = ExecutionMode::Run;
   world.run(0.5);
-  EXPECT_EQ(RobotState::Moving, world.status().state);
+  EXPECT_EQ(RobotState::Moving, world.report().state);
 }
 
 TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
@@ -324,8 +324,8 @@ TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
   world.pose.y_m += 0.08;
   world.cameras_send = true;
   world.run(4.0);
-  EXPECT_EQ(1, world.status().done);
-  EXPECT_LT(world.status().tracking_error_m, 0.01);
+  EXPECT_EQ(1, world.report().done);
+  EXPECT_LT(world.report().tracking_error_m, 0.01);
 }
 
 TEST(RobotControllerTest, AYawFlipNeverTurnsTheRobot) {
@@ -335,11 +335,11 @@ TEST(RobotControllerTest, AYawFlipNeverTurnsTheRobot) {
   world.run(0.5);
   world.camera_offset.yaw_rad = M_PI;
   world.run(2.0);
-  EXPECT_EQ(RobotState::Blind, world.status().state);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
   EXPECT_DOUBLE_EQ(0.0, world.command_robot.turn_radps);
   world.camera_offset.yaw_rad = 0.0;
   world.run(4.0);
-  EXPECT_EQ(2, world.status().done);
+  EXPECT_EQ(2, world.report().done);
 }
 
 TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
@@ -350,25 +350,25 @@ TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
   world.loseSightFor(0.3);
   world.camera_offset.yaw_rad = 1.5;
   world.run(1.0);
-  EXPECT_EQ(RobotState::Holding, world.status().state);
-  EXPECT_NE(std::string::npos, world.status().detail.find("heading"));
+  EXPECT_EQ(RobotState::Holding, world.report().state);
+  EXPECT_NE(std::string::npos, world.report().detail.find("heading"));
   EXPECT_DOUBLE_EQ(0.0, world.command_robot.turn_radps);
   world.loseSightFor(0.3);
   world.camera_offset.yaw_rad = 0.0;
   world.run(4.0);
-  EXPECT_EQ(2, world.status().done);
+  EXPECT_EQ(2, world.report().done);
 }
 
 TEST(RobotControllerTest, ANodeThatStartsAgainGoesOnFromItsPastTasks) {
   World world({2, 2});
   world.run(0.2);
-  for (std::uint32_t k = 0; k < 4; ++k) {
-    const int col = static_cast<int>(k);
-    world.controller.onTask({7, k, {2, col}, {2, col + 1}, k < 2}, world.now_s);
+  for (int k = 0; k < 4; ++k) {
+    const TaskStatus status = k < 2 ? TaskStatus::Done : TaskStatus::Enqueued;
+    world.controller.onTask({7, k, {2, k}, {2, k + 1}, status}, world.now_s);
   }
-  EXPECT_EQ(2, world.status().done);
+  EXPECT_EQ(2, world.report().done);
   world.run(4.0);
-  EXPECT_EQ(4, world.status().done);
+  EXPECT_EQ(4, world.report().done);
   EXPECT_NEAR(1.35, world.x(), 0.005);
 }
 
@@ -378,10 +378,10 @@ TEST(RobotControllerTest, ANewPlanGoesOnWhereTheOldOneEnded) {
   world.sendEastward(1);
   world.run(2.5);
   EXPECT_EQ(TaskVerdict::Accepted,
-            world.controller.onTask({2, 0, {2, 1}, {1, 1}, false}, world.now_s).verdict);
+            world.controller.onTask({2, 0, {2, 1}, {1, 1}}, world.now_s).verdict);
   world.run(2.5);
-  EXPECT_EQ(2u, world.status().plan_id);
-  EXPECT_EQ(1, world.status().done);
+  EXPECT_EQ(2u, world.report().plan_id);
+  EXPECT_EQ(1, world.report().done);
   EXPECT_NEAR(1.05, world.pose.y_m, 0.005);
 }
 

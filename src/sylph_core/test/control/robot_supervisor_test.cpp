@@ -53,13 +53,13 @@ TEST(RobotSupervisorTest, DoesNotMoveBeforeTheCentralNodeIsHeard) {
 
 TEST(RobotSupervisorTest, StopsWhenToldTo) {
   RobotSituation situation = driving();
-  situation.mode = CentralMode::Stop;
+  situation.mode = ExecutionMode::Stop;
   expectStop(situation, RobotState::Holding, "stopped by the central node");
 }
 
 TEST(RobotSupervisorTest, APauseLetsItFinishWhatItHas) {
   RobotSituation situation = driving();
-  situation.mode = CentralMode::Pause;
+  situation.mode = ExecutionMode::Pause;
   EXPECT_EQ(Permission::Drive, decideAbout(situation).permission);
 }
 
@@ -80,7 +80,7 @@ TEST(RobotSupervisorTest, FinishesItsTaskWhenTheCentralNodeFallsSilentThenHolds)
 
 TEST(RobotSupervisorTest, AStopOutlastsTheSilenceOfTheCentralNode) {
   RobotSituation situation = driving();
-  situation.mode = CentralMode::Stop;
+  situation.mode = ExecutionMode::Stop;
   situation.central_silence_s = 10.0;
   expectStop(situation, RobotState::Holding, "stopped");
 }
@@ -102,27 +102,27 @@ TEST(RobotSupervisorTest, ATurnedRobotWaitsForPeople) {
 TEST(EmergencyLatchTest, EndsOnlyByStopAndResume) {
   EmergencyLatch latch;
   EXPECT_FALSE(latch.isActive());
-  latch.onCentralMode(CentralMode::Run);
+  latch.onCentralMode(ExecutionMode::Run);
   latch.onEmergencyStop(true);
   EXPECT_TRUE(latch.isActive());
   latch.onEmergencyStop(false);
-  latch.onCentralMode(CentralMode::Run);  // sent before the central node knew
+  latch.onCentralMode(ExecutionMode::Run);  // sent before the central node knew
   EXPECT_TRUE(latch.isActive());
-  latch.onCentralMode(CentralMode::Stop);
+  latch.onCentralMode(ExecutionMode::Stop);
   EXPECT_TRUE(latch.isActive());
-  latch.onCentralMode(CentralMode::Run);
+  latch.onCentralMode(ExecutionMode::Run);
   EXPECT_FALSE(latch.isActive());
 }
 
 TEST(EmergencyLatchTest, AResumeBeforeTheStopIsOverDoesNotCount) {
   EmergencyLatch latch;
   latch.onEmergencyStop(true);
-  latch.onCentralMode(CentralMode::Stop);
-  latch.onCentralMode(CentralMode::Run);
+  latch.onCentralMode(ExecutionMode::Stop);
+  latch.onCentralMode(ExecutionMode::Run);
   EXPECT_TRUE(latch.isActive());
   latch.onEmergencyStop(false);
   EXPECT_TRUE(latch.isActive());
-  latch.onCentralMode(CentralMode::Run);
+  latch.onCentralMode(ExecutionMode::Run);
   EXPECT_FALSE(latch.isActive());
 }
 

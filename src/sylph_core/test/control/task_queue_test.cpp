@@ -16,8 +16,8 @@ Grid corridor() {
       "##.####\n");
 }
 
-AssignedTask east(std::uint32_t plan, std::uint32_t sequence, int col) {
-  return {plan, sequence, {0, col}, {0, col + 1}, false};
+TaskOrder east(std::uint32_t plan, int sequence, int col) {
+  return {plan, sequence, {0, col}, {0, col + 1}};
 }
 
 Whereabouts in(int col) {
@@ -96,11 +96,11 @@ TEST(TaskQueueTest, ADisplacedRobotMayBeginANewPlanWhereItStands) {
 
 TEST(TaskQueueTest, TasksToldToBeDoneAreCountedOnly) {
   TaskQueue queue(corridor());
-  AssignedTask past = east(3, 0, 0);
-  past.is_done = true;
+  TaskOrder past = east(3, 0, 0);
+  past.status = TaskStatus::Done;
   EXPECT_EQ(TaskVerdict::Accepted, queue.offer(past, in(2)).verdict);
   past = east(3, 1, 1);
-  past.is_done = true;
+  past.status = TaskStatus::Done;
   EXPECT_EQ(TaskVerdict::Accepted, queue.offer(past, in(2)).verdict);
   EXPECT_EQ(TaskVerdict::Accepted, queue.offer(east(3, 2, 2), in(2)).verdict);
   EXPECT_EQ(3, queue.accepted());
@@ -110,11 +110,11 @@ TEST(TaskQueueTest, TasksToldToBeDoneAreCountedOnly) {
 
 TEST(TaskQueueTest, RefusesWhatContradictsTheMapOrWhatCameBefore) {
   TaskQueue queue(corridor());
-  EXPECT_EQ(TaskVerdict::Refused, queue.offer({0, 0, {0, 0}, {0, 1}, false}, in(0)).verdict);
-  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {1, 0}, false}, in(0)).verdict);
-  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {-1, 0}, false}, in(0)).verdict);
-  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {0, 2}, false}, in(0)).verdict);
-  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {0, 0}, false}, in(0)).verdict);
+  EXPECT_EQ(TaskVerdict::Refused, queue.offer({0, 0, {0, 0}, {0, 1}}, in(0)).verdict);
+  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {1, 0}}, in(0)).verdict);
+  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {-1, 0}}, in(0)).verdict);
+  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {0, 2}}, in(0)).verdict);
+  EXPECT_EQ(TaskVerdict::Refused, queue.offer({1, 0, {0, 0}, {0, 0}}, in(0)).verdict);
   queue.offer(east(1, 0, 0), in(0));
   EXPECT_EQ(TaskVerdict::Refused, queue.offer(east(1, 1, 4), in(0)).verdict);  // a jump
   EXPECT_EQ(TaskVerdict::Refused, queue.offer(east(1, 0, 3), in(0)).verdict);  // was another one
@@ -126,11 +126,11 @@ TEST(TaskQueueProperty, WhateverIsLostDoubledOrReorderedEachTaskIsAcceptedOnceAn
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     TaskQueue queue(corridor());
-    std::vector<AssignedTask> sent;
+    std::vector<TaskOrder> sent;
     for (std::uint32_t round = 0; round < 40 && queue.done() < 6; ++round) {
-      for (std::uint32_t k = 0; k < 6; ++k) {
+      for (int k = 0; k < 6; ++k) {
         if (drawIndex(rng, 3) != 0) {
-          sent.push_back(east(1, k, static_cast<int>(k)));
+          sent.push_back(east(1, k, k));
         }
       }
       shuffle(sent, rng);

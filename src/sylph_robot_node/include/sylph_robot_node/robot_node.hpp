@@ -9,7 +9,6 @@
 #include <std_msgs/Bool.h>
 #include <sylph_msgs/AdgState.h>
 #include <sylph_msgs/Task.h>
-#include <sylph_msgs/TaskReport.h>
 
 #include <optional>
 
@@ -35,6 +34,7 @@ class RobotNode {
   void goDown(double now_s);
   void report(double now_s);
   void reportChange(double now_s);
+  void publish(const sylph::RobotReport& report, double now_s);
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   Options options_;
@@ -50,7 +50,7 @@ class RobotNode {
   ros::Subscriber emergency_subscriber_;
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer timer_;
-  sylph_msgs::TaskReport last_report_;
+  sylph::RobotReport last_report_;
   double reported_s_ = 0.0;
   double largest_tick_s_ = 0.0;  // of the time between two ticks, since the last diagnosis
   std::optional<double> ticked_s_;

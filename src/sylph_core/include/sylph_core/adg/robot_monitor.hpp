@@ -40,7 +40,7 @@ class RobotMonitor {
   /// Since when something has been wrong [s]; nothing if nothing is.
   std::optional<double> troubleSince() const { return trouble_since_s_; }
 
-  /// The last report, with the last position that was a number; nothing if none has come.
+  /// The last report, with the last pose that was known; nothing if none has come.
   const std::optional<RobotReport>& report() const { return report_; }
   bool isHeard(double now_s) const {
     return report_ && now_s - received_s_ <= limits_.silent_after_s;

@@ -11,6 +11,7 @@
 #include "sylph_core/control/slip_estimator.hpp"
 #include "sylph_core/control/task_queue.hpp"
 #include "sylph_core/control/twist_limiter.hpp"
+#include "sylph_core/execution/robot_report.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph {
@@ -29,23 +30,6 @@ struct RobotControllerOptions {
   SupervisorLimits supervisor;
 };
 
-/// What others wait for: worth telling at once.
-struct RobotProgress {
-  RobotState state = RobotState::Holding;
-  std::uint32_t plan_id = 0;
-  int accepted = 0;
-  int done = 0;
-};
-
-/// What a robot tells about itself, see TaskReport.msg.
-struct RobotStatus : RobotProgress {
-  std::string detail;
-  Pose2d pose;                    ///< the last good one; zeros before the first
-  double tracking_error_m = 0.0;  ///< from the planned segment
-  double heading_error_rad = 0.0;
-  double pose_age_s = 0.0;  ///< infinite before the first
-};
-
 /// A robot: tasks and poses in, velocity and arrivals out. Every time is in seconds of one steady
 /// clock.
 class RobotController {
@@ -53,9 +37,9 @@ class RobotController {
   /// @throws std::invalid_argument if an option is out of its bounds
   RobotController(const RobotControllerOptions& options, const Grid& grid, const CellFrame& frame);
 
-  TaskAnswer onTask(const AssignedTask& task, double now_s);
+  TaskAnswer onTask(const TaskOrder& task, double now_s);
   PoseVerdict onPose(const TimedPose& pose);
-  void onCentralState(CentralMode mode, double now_s);
+  void onCentralState(ExecutionMode mode, double now_s);
   void onEmergencyStop(bool is_pressed) { emergency_.onEmergencyStop(is_pressed); }
 
   /// The velocity to command now [robot frame].
@@ -64,9 +48,8 @@ class RobotController {
   /// The velocity while the node goes down: a ramp to zero.
   Twist2d rampDown(double now_s);
 
-  /// As of the last event; the state as of the last update().
-  RobotProgress progress() const;
-  RobotStatus status(double now_s) const;
+  /// As of the last event; the state as of the last update(). Id and stamp are left to the caller.
+  RobotReport report(double now_s) const;
 
  private:
   RobotSituation situation(double now_s) const;
@@ -89,7 +72,7 @@ class RobotController {
   PathFollower follower_;
   TwistLimiter limiter_;
   EmergencyLatch emergency_;
-  CentralMode mode_ = CentralMode::Run;
+  ExecutionMode mode_ = ExecutionMode::Run;
   std::optional<double> central_heard_s_;
   std::optional<double> updated_s_;
   std::optional<int> finish_waypoint_;  // where to stop while the central node is silent

@@ -3,13 +3,9 @@
 #include <optional>
 #include <string>
 
+#include "sylph_core/execution/states.hpp"
+
 namespace sylph {
-
-/// What the central node wants, see AdgState.msg.
-enum class CentralMode { Run, Pause, Stop };
-
-/// See TaskReport.msg.
-enum class RobotState { Idle = 0, Moving = 1, Holding = 2, Blind = 3 };
 
 enum class Permission {
   Drive,       ///< through all accepted tasks; without one, keep the place
@@ -23,7 +19,7 @@ struct RobotSituation {
   bool has_task = false;
   bool has_finished_last_task = false;      ///< since the central node fell silent
   std::optional<double> central_silence_s;  ///< since the last AdgState; nothing before the first
-  CentralMode mode = CentralMode::Run;
+  ExecutionMode mode = ExecutionMode::Run;
   bool is_emergency = false;
   bool is_displaced = false;  ///< outside the cells that its tasks hold
   double heading_error_rad = 0.0;
@@ -49,7 +45,7 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
 class EmergencyLatch {
  public:
   void onEmergencyStop(bool is_pressed);
-  void onCentralMode(CentralMode mode);
+  void onCentralMode(ExecutionMode mode);
   bool isActive() const { return is_pressed_ || is_waiting_for_resume_; }
 
  private:

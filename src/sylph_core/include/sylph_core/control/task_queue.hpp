@@ -6,21 +6,11 @@
 #include <string>
 #include <vector>
 
+#include "sylph_core/execution/task_order.hpp"
 #include "sylph_core/grid/cell.hpp"
 #include "sylph_core/grid/grid.hpp"
 
 namespace sylph {
-
-/// A move as it reaches the robot that has to make it.
-struct AssignedTask {
-  std::uint32_t plan_id = 0;   ///< from 1
-  std::uint32_t sequence = 0;  ///< the robot's k-th task of the plan, from 0
-  Cell start;
-  Cell end;
-  bool is_done = false;  ///< told of to be counted, not to be carried out
-};
-
-bool operator==(const AssignedTask& a, const AssignedTask& b);
 
 enum class TaskVerdict {
   Accepted,  ///< new, and next in order
@@ -51,7 +41,7 @@ class TaskQueue {
  public:
   explicit TaskQueue(Grid grid) : grid_(std::move(grid)) {}
 
-  TaskAnswer offer(const AssignedTask& task, const Whereabouts& whereabouts);
+  TaskAnswer offer(const TaskOrder& task, const Whereabouts& whereabouts);
 
   /// Marks the current task done.
   /// @throws std::logic_error if there is none
@@ -63,24 +53,24 @@ class TaskQueue {
   bool isIdle() const { return done_ == accepted(); }
 
   /// Accepted tasks of this plan by sequence.
-  const std::vector<AssignedTask>& tasks() const { return tasks_; }
+  const std::vector<TaskOrder>& tasks() const { return tasks_; }
   /// The first task that is not done.
-  std::optional<AssignedTask> current() const;
+  std::optional<TaskOrder> current() const;
   /// Cells that the robot may be in: both of the current task, or the end of the last one. Empty
   /// before the first task.
   std::vector<Cell> heldCells() const;
 
  private:
-  TaskAnswer offerOfThisPlan(const AssignedTask& task);
-  TaskAnswer offerOfNewPlan(const AssignedTask& task, const Whereabouts& whereabouts);
-  std::optional<std::string> contradictionOf(const AssignedTask& task) const;
-  void accept(const AssignedTask& task);
+  TaskAnswer offerOfThisPlan(const TaskOrder& task);
+  TaskAnswer offerOfNewPlan(const TaskOrder& task, const Whereabouts& whereabouts);
+  std::optional<std::string> contradictionOf(const TaskOrder& task) const;
+  void accept(const TaskOrder& task);
 
   Grid grid_;
   std::uint32_t plan_id_ = 0;
-  std::vector<AssignedTask> tasks_;
+  std::vector<TaskOrder> tasks_;
   int done_ = 0;
-  std::map<std::uint32_t, AssignedTask> waiting_;  // of this plan, behind a gap, by sequence
+  std::map<int, TaskOrder> waiting_;  // of this plan, behind a gap, by sequence
 };
 
 }  // namespace sylph

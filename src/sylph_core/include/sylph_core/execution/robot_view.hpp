@@ -12,7 +12,7 @@ namespace sylph {
 /// What is known of one robot, for people and messages.
 struct RobotView {
   RobotCondition condition = RobotCondition::Ok;
-  ReportState report_state = ReportState::Idle;
+  RobotState report_state = RobotState::Idle;
   int tasks_total = 0;  ///< of this plan
   int tasks_done = 0;   ///< of this plan
   Timestep step = 0;    ///< of this plan, to look up its social state

@@ -29,7 +29,13 @@ enum class RobotCondition : std::uint8_t {
   Lost = 4,    ///< out of the mission; its cells stay held
 };
 
-enum class ReportState : std::uint8_t { Idle = 0, Moving = 1, Holding = 2, Blind = 3 };
+/// What a robot does.
+enum class RobotState : std::uint8_t {
+  Idle = 0,     ///< no task left, holds its position
+  Moving = 1,   ///< carries out a task
+  Holding = 2,  ///< has a task but does not move: paused, stopped, or the central node is silent
+  Blind = 3,    ///< its pose is not to be trusted: ramps to zero and waits for good poses
+};
 
 std::string toString(ExecutionPhase phase);
 std::string toString(ExecutionMode mode);
