@@ -5,6 +5,7 @@
 #include <ctime>
 
 #include "sylph_adg_central/conversions.hpp"
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/parameters.hpp"

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <cstdio>
 
-#include "sylph_core/control/safety_margin.hpp"
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/parameters.hpp"

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <cstdio>
 #include <optional>
-#include <stdexcept>
 
 namespace sylph {
 namespace {
@@ -119,37 +118,6 @@ SafetyMargin computeSafetyMargin(const SafetyFactors& factors) {
     margin.remedies = remediesFor(factors);
   }
   return margin;
-}
-
-SafetyFactors safetyFactors(const Experiment& experiment) {
-  SafetyFactors factors;
-  for (const RobotSpec& robot : experiment.robots) {
-    factors.length_m = std::max(factors.length_m, robot.length_m);
-    factors.width_m = std::max(factors.width_m, robot.width_m);
-  }
-  const ExecutionSpec& execution = experiment.execution;
-  factors.cell_size_m = experiment.cell_size_m;
-  factors.heading_tolerance_rad = execution.heading_tolerance_rad;
-  factors.tracking_error_m = execution.tracking_error_m;
-  factors.position_tolerance_m = execution.position_tolerance_m;
-  factors.speed_limit_mps = execution.speed_limit_mps;
-  factors.acceleration_limit_mps2 = execution.acceleration_limit_mps2;
-  factors.pose_timeout_s = execution.pose_timeout_s;
-  factors.base_timeout_s = execution.base_timeout_s;
-  factors.command_latency_s = execution.command_latency_s;
-  return factors;
-}
-
-SafetyMargin requireSafetyMargin(const Experiment& experiment) {
-  SafetyMargin margin = computeSafetyMargin(safetyFactors(experiment));
-  if (margin.verdict == SafetyVerdict::Run) {
-    return margin;
-  }
-  std::string changes;
-  for (const std::string& remedy : margin.remedies) {
-    changes += (changes.empty() ? "; change " : ", or ") + remedy;
-  }
-  throw std::runtime_error(experiment.path + ": no safety margin: " + margin.summary() + changes);
 }
 
 }  // namespace sylph

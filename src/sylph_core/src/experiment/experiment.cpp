@@ -8,7 +8,7 @@
 #include <utility>
 
 #include "files/text_file.hpp"
-#include "sylph_core/control/safety_margin.hpp"
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/files/yaml_map.hpp"
 #include "sylph_core/grid/coarsen.hpp"
 #include "sylph_core/grid/map_file.hpp"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "sylph_core/control/drive_path.hpp"
-#include "sylph_core/control/safety_margin.hpp"
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/grid/rng.hpp"
 
 namespace sylph {

@@ -3,8 +3,6 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/experiment/experiment.hpp"
-
 namespace sylph {
 
 /// What decides whether two robots in neighbouring cells can touch.
@@ -58,11 +56,5 @@ struct SafetyMargin {
 };
 
 SafetyMargin computeSafetyMargin(const SafetyFactors& factors);
-
-/// Of the largest footprint in an experiment.
-SafetyFactors safetyFactors(const Experiment& experiment);
-
-/// @throws std::runtime_error unless the verdict is Run, naming the file and what to change
-SafetyMargin requireSafetyMargin(const Experiment& experiment);
 
 }  // namespace sylph

@@ -1,4 +1,4 @@
-#include "sylph_core/control/safety_margin.hpp"
+#include "sylph_core/experiment/experiment_margin.hpp"
 
 #include <gtest/gtest.h>
 
