@@ -9,6 +9,7 @@
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/parameters.hpp"
+#include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/task_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -100,12 +101,11 @@ void CentralNode::rebuild() {
   const auto phase = execution_.phase();
   is_result_due_ = execution_.plan() != nullptr && phase != sylph::ExecutionPhase::Finished &&
                    phase != sylph::ExecutionPhase::Refused;
-  last_steps_ = execution_.plan() ? execution_.plan()->steps() : 0;
 }
 
 void CentralNode::subscribe() {
   subscribers_.push_back(
-      nh_.subscribe(sylph_ros::kJointActionsTopic, kQueue, &CentralNode::onJointAction, this));
+      nh_.subscribe(sylph_ros::kJointActionsTopic, 1, &CentralNode::onJointActions, this));
   subscribers_.push_back(
       nh_.subscribe(sylph_ros::kSeparationTopic, 1, &CentralNode::onSeparation, this));
   subscribers_.push_back(
@@ -137,19 +137,12 @@ void CentralNode::advertiseServices() {
       nh_.advertiseService(sylph_ros::kDeclareLostService, &CentralNode::onDeclareLost, this));
 }
 
-void CentralNode::onJointAction(const sylph_msgs::JointAction& message) {
-  if (message.plan_id == execution_.planId() &&
-      execution_.phase() != sylph::ExecutionPhase::Receiving) {
-    return;  // carried out or refused already: the sender does not know it yet
+void CentralNode::onJointActions(const sylph_msgs::JointActions& message) {
+  if (message.plan_id == 0) {
+    return;  // the planner's mission is over
   }
   try {
-    std::optional<sylph::MissionPlan> plan = assembler_.add(message);
-    if (assembler_.planId() == message.plan_id && message.replaces_plan_id == 0) {
-      execution_.announce(message.plan_id);
-    }
-    if (plan) {
-      execution_.submit(std::move(*plan), clock_.now());
-    }
+    execution_.submit(sylph_ros::fromMessage(message), clock_.now());
   } catch (const std::invalid_argument& error) {
     execution_.refuse(message.plan_id, error.what());
   }
@@ -250,7 +243,6 @@ void CentralNode::flush() {
 void CentralNode::onEvent(const sylph::ExecutionEvent& event) {
   switch (event.kind) {
     case Kind::Started:
-      last_steps_ = event.plan->steps();
       is_result_due_ = true;
       sylph::savePlan(event.plan->plan, folder_.plan());
       ROS_INFO("plan %u of %zu robots and %u steps is carried out", event.plan_id,
@@ -288,9 +280,7 @@ void CentralNode::publishState() {
   state_sent_s_ = clock_.now();
   sylph_msgs::AdgState state = toMessage(execution_, state_sent_s_);
   state.header.stamp = ros::Time::now();
-  const bool is_receiving = execution_.planId() == assembler_.planId() && assembler_.planId() > 0;
-  state.steps = is_receiving ? assembler_.steps() : last_steps_;
-  state.steps_received = is_receiving ? assembler_.stepsReceived() : last_steps_;
+  state.steps = execution_.plan() != nullptr ? execution_.plan()->steps() : 0;
   state.elapsed_s = record_.elapsed(state.header.stamp.toSec(),
                                     execution_.phase() == sylph::ExecutionPhase::Finished);
   state_publisher_.publish(state);

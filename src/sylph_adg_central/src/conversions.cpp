@@ -15,7 +15,7 @@ constexpr bool isSame(Enumerator enumerator, std::uint8_t constant) {
   return static_cast<std::uint8_t>(enumerator) == constant;
 }
 static_assert(isSame(sylph::ExecutionPhase::Idle, AdgState::IDLE) &&
-              isSame(sylph::ExecutionPhase::Receiving, AdgState::RECEIVING) &&
+              isSame(sylph::ExecutionPhase::Pending, AdgState::PENDING) &&
               isSame(sylph::ExecutionPhase::Executing, AdgState::EXECUTING) &&
               isSame(sylph::ExecutionPhase::Cutting, AdgState::CUTTING) &&
               isSame(sylph::ExecutionPhase::AtCut, AdgState::AT_CUT) &&
@@ -61,7 +61,7 @@ RobotExecution toMessage(const sylph::RobotView& view, const std::string& robot)
   message.waits_for_robot = view.waits_for_robot;
   message.waits_for_task = toUnsigned(view.waits_for_task);
   message.waits_for_cell = sylph_ros::toMessage(view.waits_for_cell);
-  message.waiting_since_s = view.waiting_since_s;
+  message.waited_s = view.waited_s;
   message.root_cause_robot = view.root_cause_robot;
   message.root_cause = view.root_cause;
   return message;

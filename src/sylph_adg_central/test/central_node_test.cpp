@@ -16,6 +16,7 @@
 #include "mock_robot.hpp"
 #include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_ros/conversions.hpp"
+#include "sylph_ros/plan_messages.hpp"
 
 namespace sylph_adg_central {
 namespace {
@@ -25,36 +26,20 @@ using sylph::Plan;
 using sylph_msgs::AdgState;
 using sylph_msgs::RobotExecution;
 
-/// The joint actions of a plan; every robot's partner is the first one.
-std::vector<sylph_msgs::JointAction> jointActions(const Plan& plan,
-                                                  const std::vector<std::string>& robots,
-                                                  std::uint32_t plan_id,
-                                                  std::uint32_t replaces_plan_id = 0) {
-  std::vector<sylph_msgs::JointAction> messages;
-  const std::size_t steps = plan.size() - 1;
-  for (std::size_t step = 0; step < std::max<std::size_t>(steps, 1); ++step) {
-    sylph_msgs::JointAction message;
-    message.plan_id = plan_id;
-    message.replaces_plan_id = replaces_plan_id;
-    message.step = static_cast<std::uint32_t>(step);
-    message.steps = static_cast<std::uint32_t>(steps);
-    message.planner = "test";
-    message.planning_s = 0.5;
-    for (std::size_t agent = 0; agent < robots.size(); ++agent) {
-      sylph_msgs::AgentAction action;
-      const Cell to = plan[std::min(step + 1, steps)][agent];
-      action.robot = robots[agent];
-      action.action = sylph_ros::toMessage(sylph::actionBetween(plan[step][agent], to).value());
-      action.from = sylph_ros::toMessage(plan[step][agent]);
-      action.to = sylph_ros::toMessage(to);
-      action.goal = sylph_ros::toMessage(plan.back()[agent]);
-      action.partner = agent == 0 ? "" : robots.front();
-      action.svo_deg = 15.0F;
-      message.agents.push_back(action);
-    }
-    messages.push_back(message);
-  }
-  return messages;
+/// A plan as its planner sends it; every robot's partner is the first one.
+sylph_msgs::JointActions jointActions(const Plan& plan, const std::vector<std::string>& robots,
+                                      std::uint32_t plan_id, std::uint32_t replaces_plan_id = 0) {
+  sylph::MissionPlan mission;
+  mission.plan_id = plan_id;
+  mission.replaces_plan_id = replaces_plan_id;
+  mission.planner = "test";
+  mission.planning_s = 0.5;
+  mission.robots = robots;
+  mission.goals = plan.back();
+  mission.plan = plan;
+  const std::vector<sylph::AgentId> partners(robots.size(), 0);
+  mission.social.assign(mission.steps(), {partners, std::vector<float>(robots.size(), 15.0F)});
+  return sylph_ros::toMessage(mission);
 }
 
 /// Three robots: robot_0 follows robot_1 along the top row, robot_2 crosses behind them.
@@ -71,7 +56,7 @@ class CentralNodeTest : public testing::Test {
     private_nh_.setParam("lost_after_s", 0.0);
     private_nh_.setParam("silent_after_s", 1.0);
     private_nh_.setParam("stuck_after_s", 5.0);
-    publisher_ = nh_.advertise<sylph_msgs::JointAction>(sylph_ros::kJointActionsTopic, 1000);
+    publisher_ = nh_.advertise<sylph_msgs::JointActions>(sylph_ros::kJointActionsTopic, 1, true);
     emergency_publisher_ = nh_.advertise<std_msgs::Bool>(sylph_ros::kEmergencyStopTopic, 1, true);
     subscriber_ = nh_.subscribe(sylph_ros::kAdgStateTopic, 100, &CentralNodeTest::onState, this);
     const sylph::Configuration starts = mission().front();
@@ -120,11 +105,7 @@ class CentralNodeTest : public testing::Test {
     return spinUntil([&] { return state_.phase == phase; }, timeout_s);
   }
 
-  void send(const std::vector<sylph_msgs::JointAction>& messages) {
-    for (const sylph_msgs::JointAction& message : messages) {
-      publisher_.publish(message);
-    }
-  }
+  void send(const sylph_msgs::JointActions& plan) { publisher_.publish(plan); }
 
   bool call(const std::string& service) {
     std_srvs::Trigger trigger;
@@ -194,7 +175,6 @@ TEST_F(CentralNodeTest, CarriesAPlanOutAndWritesTheResult) {
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
   expectCarriedOutOnce();
   EXPECT_EQ(5u, state_.steps);
-  EXPECT_EQ(5u, state_.steps_received);
   const sylph_msgs::Task& first = robots_[0]->carried_out.front();
   EXPECT_EQ("robot_0", first.robot_id);
   EXPECT_EQ("map", first.header.frame_id);
@@ -227,14 +207,11 @@ TEST_F(CentralNodeTest, ArrivesOverABadLine) {
   robots_[1]->faults.drop_report_every = 3;
   robots_[1]->faults.doubles_reports = true;
   robots_[2]->faults.repeats_old_reports = true;
-  std::vector<sylph_msgs::JointAction> messages = jointActions(mission(), names_, 1);
-  // The plan comes out of order, twice, and mixed with an old one.
-  std::vector<sylph_msgs::JointAction> shuffled(messages.rbegin(), messages.rend());
-  shuffled.insert(shuffled.begin() + 2, messages.begin(), messages.end());
-  sylph_msgs::JointAction old = messages.front();
-  old.plan_id = 0;
-  shuffled.insert(shuffled.begin() + 1, old);
-  send(shuffled);
+  send(jointActions(mission(), names_, 2));
+  ASSERT_TRUE(spinUntilPhase(AdgState::EXECUTING));
+  send(jointActions(mission(), names_, 2));  // again,
+  send(jointActions(mission(), names_, 1));  // an old one,
+  send(sylph_msgs::JointActions());          // and none
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED, 20.0));
   expectCarriedOutOnce();
 }
@@ -264,7 +241,7 @@ TEST_F(CentralNodeTest, DropsReportsOfAnotherPlan) {
   tell(4, 2);
   tell(6, 2);
   const std::uint32_t waits_at = robots_[0]->done();
-  ASSERT_TRUE(spinUntil([&] { return robot(0).waiting && robot(0).waiting_since_s > 0.3; }));
+  ASSERT_TRUE(spinUntil([&] { return robot(0).waiting && robot(0).waited_s > 0.3; }));
   EXPECT_EQ("robot_1", robot(0).waits_for_robot);
   EXPECT_EQ(waits_at, robots_[0]->done());
   EXPECT_EQ(0u, robot(1).tasks_done);
@@ -350,7 +327,20 @@ TEST_F(CentralNodeTest, ARestartDoesNoTaskTwice) {
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
   expectCarriedOutOnce();
   EXPECT_TRUE(result()["success"].as<bool>());
-  EXPECT_EQ(5u, state_.steps_received);
+}
+
+TEST_F(CentralNodeTest, ARestartGetsAPendingPlanAgain) {
+  robots_[2]->setPosition(frame_.toPoint({3, 3}));
+  robots_[2]->is_silent = true;
+  ASSERT_TRUE(spinUntil([&] { return robot(2).condition == RobotExecution::SILENT; }));
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::PENDING));
+  node_.reset();
+  start();
+  ASSERT_TRUE(spinUntilPhase(AdgState::PENDING));
+  robots_[2]->is_silent = false;
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  expectCarriedOutOnce();
 }
 
 TEST_F(CentralNodeTest, ARobotNodeThatStartsAgainDoesNoTaskTwice) {
@@ -380,9 +370,9 @@ TEST_F(CentralNodeTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
 }
 
 TEST_F(CentralNodeTest, RefusesAMalformedPlan) {
-  std::vector<sylph_msgs::JointAction> messages = jointActions(mission(), names_, 1);
-  messages[2].agents[0].to.col += 1;
-  send(messages);
+  sylph_msgs::JointActions plan = jointActions(mission(), names_, 1);
+  plan.steps[2].actions[0].to.col += 1;
+  send(plan);
   ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
   EXPECT_EQ(0u, state_.message.find("plan 1: step 2: action 2 of robot_0 does not lead from"))
       << state_.message;

@@ -70,6 +70,18 @@ CheckedPlan check(const Mission& mission, const sylph::Instance& instance, Timed
 
 }  // namespace
 
+sylph::MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string>& robots,
+                                 const std::string& planner) {
+  sylph::MissionPlan mission_plan;
+  mission_plan.planner = planner;
+  mission_plan.planning_s = plan.planning_s;
+  mission_plan.robots = robots;
+  mission_plan.goals = plan.instance.goals;
+  mission_plan.plan = plan.plan;
+  mission_plan.social = plan.social;
+  return mission_plan;
+}
+
 sylph::Instance toInstance(const Mission& mission, const sylph::Configuration& starts,
                            const std::vector<sylph::Cell>& obstacles) {
   sylph::Instance instance;

@@ -1,16 +1,15 @@
 #include "sylph_planner_node/planner_node.hpp"
 
 #include <nav_msgs/OccupancyGrid.h>
-#include <sylph_msgs/JointAction.h>
 
 #include <algorithm>
 #include <chrono>
 
-#include "sylph_planner_node/joint_actions.hpp"
 #include "sylph_planner_node/occupancy_grid.hpp"
 #include "sylph_planner_node/progress.hpp"
 #include "sylph_planner_node/replanning.hpp"
 #include "sylph_ros/experiment.hpp"
+#include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_planner_node {
@@ -36,8 +35,8 @@ PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       poses_(nh, clock_),
       mode_(nh),
-      joint_action_publisher_(
-          nh_.advertise<sylph_msgs::JointAction>(sylph_ros::kJointActionsTopic, 1000)),
+      joint_actions_publisher_(
+          nh_.advertise<sylph_msgs::JointActions>(sylph_ros::kJointActionsTopic, 1, true)),
       map_publisher_(nh_.advertise<nav_msgs::OccupancyGrid>(
           sylph_ros::fleetName(nh_, sylph_ros::kMapTopic), 1, true)),
       adg_state_subscriber_(nh_.subscribe(sylph_ros::kAdgStateTopic, 10, &PlannerNode::onAdgState,
@@ -74,7 +73,7 @@ void PlannerNode::onGoal() {
   replans_ = 0;
   replaces_plan_id_ = 0;
   given_up_.clear();
-  sender_.reset();
+  withdrawPlan();
   try {
     mission_ = readMission(*goal, lab_);
   } catch (const MissionFailure& failure) {
@@ -182,13 +181,10 @@ void PlannerNode::tickSending() {
     throw MissionFailure(ExecuteMissionResult::PLAN_REFUSED,
                          "the central node refused the plan: " + state_->message);
   }
-  if (sender_->hasArrived(*state_)) {
+  if (state_->plan_id == plan_id_ && state_->phase != AdgState::PENDING) {
     follow();
-    return;
-  }
-  for (sylph_msgs::JointAction& message : sender_->due(clock_.now())) {
-    message.header.stamp = ros::Time::now();
-    joint_action_publisher_.publish(message);
+  } else if (clock_.now() - sent_s_ >= options_.resend_period_s) {
+    publishPlan();
   }
 }
 
@@ -199,8 +195,9 @@ void PlannerNode::tickExecuting() {
                              std::to_string(state_->plan_id) + " of somebody else");
   }
   if (state_->plan_id < plan_id_) {
-    if (sender_) {
+    if (plan_) {
       ROS_WARN("the central node has lost plan %u: sending it again", plan_id_);
+      publishPlan();
       enter(Stage::Sending);
     }
     return;
@@ -275,10 +272,31 @@ void PlannerNode::send(const CheckedPlan& plan) {
   plan_id_ = std::max(plan_id_, known) + 1;
   ROS_INFO("plan %u by %s: %d steps, sum of costs %ld, %.2f s", plan_id_, mission_.planner.c_str(),
            plan.metrics.steps, plan.metrics.sum_of_costs, plan.planning_s);
-  sender_.emplace(
-      toJointActions(plan, planned_robots_, {plan_id_, replaces_plan_id_, mission_.planner}),
-      options_.resend_period_s);
+  sylph::MissionPlan mission_plan = toMissionPlan(plan, planned_robots_, mission_.planner);
+  mission_plan.plan_id = plan_id_;
+  mission_plan.replaces_plan_id = replaces_plan_id_;
+  try {
+    plan_ = sylph_ros::toMessage(mission_plan);
+  } catch (const std::invalid_argument& error) {
+    throw MissionFailure(ExecuteMissionResult::NO_PLAN,
+                         std::string("the plan cannot be sent: ") + error.what());
+  }
+  publishPlan();
   enter(Stage::Sending);
+}
+
+void PlannerNode::publishPlan() {
+  sent_s_ = clock_.now();
+  plan_->header.stamp = ros::Time::now();
+  joint_actions_publisher_.publish(*plan_);
+}
+
+void PlannerNode::withdrawPlan() {
+  if (plan_) {
+    plan_ = sylph_msgs::JointActions();
+    publishPlan();
+    plan_.reset();
+  }
 }
 
 void PlannerNode::follow() {
@@ -350,6 +368,7 @@ void PlannerNode::finish(ExecuteMissionResult result) {
   result.sum_of_costs = totals_.sum_of_costs;
   result.replans = replans_;
   poses_.stop();
+  withdrawPlan();
   enter(Stage::Idle);
   last_outcome_ = result.message;
   if (result.outcome == ExecuteMissionResult::SUCCESS) {

@@ -36,7 +36,7 @@ std::string conditionText(const RobotExecution& robot) {
 }
 
 std::string waitingText(const RobotExecution& robot) {
-  std::string text = robot.robot_id + " waits " + seconds(robot.waiting_since_s) + " for " +
+  std::string text = robot.robot_id + " waits " + seconds(robot.waited_s) + " for " +
                      robot.waits_for_robot + " to leave " +
                      sylph::toString(sylph_ros::fromMessage(robot.waits_for_cell));
   if (!robot.root_cause_robot.empty() && robot.root_cause_robot != robot.waits_for_robot) {
@@ -133,7 +133,7 @@ bool isExecutionOf(const Mission& mission, const AdgState& state) {
       }
     }
   }
-  return is_under_way && members == mission.robots.size() && state.steps_received >= state.steps;
+  return is_under_way && members == mission.robots.size();
 }
 
 bool isBusy(const AdgState& state) {

@@ -7,6 +7,7 @@
 
 #include "small_lab.hpp"
 #include "sylph_ros/conversions.hpp"
+#include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
 #include "wait_until.hpp"
 
@@ -27,15 +28,14 @@ MockCentral::MockCentral(const Mission& mission, const sylph::Configuration& sta
         nh_.advertise<geometry_msgs::PoseStamped>("/" + robot.robot_id + "/pose", 1);
   }
   state_publisher_ = nh_.advertise<AdgState>(sylph_ros::kAdgStateTopic, 10);
-  subscriber_ =
-      nh_.subscribe(sylph_ros::kJointActionsTopic, 1000, &MockCentral::onJointAction, this);
+  subscriber_ = nh_.subscribe(sylph_ros::kJointActionsTopic, 1, &MockCentral::onJointActions, this);
   pause_server_ = nh_.advertiseService(sylph_ros::kPauseService, &MockCentral::onPause, this);
   resume_server_ = nh_.advertiseService(sylph_ros::kResumeService, &MockCentral::onResume, this);
   timer_ = nh_.createSteadyTimer(ros::WallDuration(0.02),
                                  [this](const ros::SteadyTimerEvent&) { tick(); });
 }
 
-void MockCentral::dropEverySecondMessageOnce() {
+void MockCentral::dropOnePlan() {
   const std::lock_guard<std::mutex> lock(mutex_);
   drops_ = true;
 }
@@ -71,7 +71,6 @@ void MockCentral::pretendToExecute(std::uint32_t plan_id, const sylph::Configura
   state_.plan_id = plan_id;
   state_.phase = AdgState::EXECUTING;
   state_.steps = 1;
-  state_.steps_received = 1;
   halt_after_ = 0;
   for (std::size_t i = 0; i < goals.size(); ++i) {
     state_.robots[i].goal = sylph_ros::toMessage(goals[i]);
@@ -107,56 +106,36 @@ AdgState MockCentral::state() const {
   return state_;
 }
 
-std::vector<sylph_msgs::JointAction> MockCentral::received() const {
+std::vector<sylph_msgs::JointActions> MockCentral::received() const {
   const std::lock_guard<std::mutex> lock(mutex_);
   return received_;
 }
 
 sylph::Plan MockCentral::plan() const {
   const std::lock_guard<std::mutex> lock(mutex_);
-  sylph::Plan plan;
-  for (const auto& [step, message] : steps_) {
-    sylph::Configuration from;
-    sylph::Configuration to;
-    for (const sylph_msgs::AgentAction& agent : message.agents) {
-      from.push_back(sylph_ros::fromMessage(agent.from));
-      to.push_back(sylph_ros::fromMessage(agent.to));
-    }
-    if (plan.empty()) {
-      plan.push_back(from);
-    }
-    if (message.steps > 0) {
-      plan.push_back(to);
-    }
-  }
-  return plan;
+  return plan_.plan;
 }
 
-void MockCentral::onJointAction(const sylph_msgs::JointAction& message) {
+void MockCentral::onJointActions(const sylph_msgs::JointActions& message) {
   const std::lock_guard<std::mutex> lock(mutex_);
+  if (message.plan_id == 0) {
+    return;
+  }
   received_.push_back(message);
-  if (message.plan_id < state_.plan_id ||
-      (drops_ && message.step % 2 == 0 && dropped_.insert(message.step).second)) {
+  if (drops_ || message.plan_id <= state_.plan_id) {
+    drops_ = false;
     return;
   }
-  if (message.plan_id > state_.plan_id) {
-    steps_.clear();
-    next_step_ = 0;
-    state_.plan_id = message.plan_id;
-    state_.steps = message.steps;
-    state_.phase = AdgState::RECEIVING;
-  }
-  steps_[message.step] = message;
-  state_.steps_received = static_cast<std::uint32_t>(steps_.size());
-  if (state_.phase != AdgState::RECEIVING || steps_.size() < std::max(message.steps, 1U)) {
-    return;
-  }
+  plan_ = sylph_ros::fromMessage(message);
+  next_step_ = 0;
+  state_.plan_id = message.plan_id;
+  state_.steps = plan_.steps();
   state_.phase = refusal_.empty() ? AdgState::EXECUTING : AdgState::REFUSED;
   state_.message = refusal_;
-  for (const sylph_msgs::AgentAction& agent : message.agents) {
-    robot(agent.robot).goal = agent.goal;
-    robot(agent.robot).tasks_total = message.steps;
-    robot(agent.robot).tasks_done = 0;
+  for (std::size_t agent = 0; agent < plan_.robots.size(); ++agent) {
+    robot(plan_.robots[agent]).goal = sylph_ros::toMessage(plan_.goals[agent]);
+    robot(plan_.robots[agent]).tasks_total = plan_.steps();
+    robot(plan_.robots[agent]).tasks_done = 0;
   }
 }
 
@@ -194,10 +173,11 @@ void MockCentral::advance() {
     state_.phase = AdgState::FINISHED;
     return;
   }
-  for (const sylph_msgs::AgentAction& agent : steps_.at(next_step_).agents) {
-    robot(agent.robot).cell = agent.to;
-    robot(agent.robot).held_cells = {agent.to};
-    robot(agent.robot).tasks_done = next_step_ + 1;
+  for (std::size_t agent = 0; agent < plan_.robots.size(); ++agent) {
+    RobotExecution& moved = robot(plan_.robots[agent]);
+    moved.cell = sylph_ros::toMessage(plan_.plan.at(next_step_ + 1)[agent]);
+    moved.held_cells = {moved.cell};
+    moved.tasks_done = next_step_ + 1;
   }
   ++next_step_;
 }

@@ -4,7 +4,7 @@
 #include <ros/steady_timer.h>
 #include <std_srvs/Trigger.h>
 #include <sylph_msgs/AdgState.h>
-#include <sylph_msgs/JointAction.h>
+#include <sylph_msgs/JointActions.h>
 
 #include <map>
 #include <mutex>
@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/mapf/types.hpp"
+#include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_planner_node/mission.hpp"
 
 namespace sylph_planner_node {
@@ -25,7 +25,7 @@ class MockCentral {
   MockCentral(const Mission& mission, const sylph::Configuration& starts);
 
   // How it behaves from now on.
-  void dropEverySecondMessageOnce();
+  void dropOnePlan();
   void refusePlans(const std::string& reason);
   void silencePoseOf(const std::string& robot);
   void beSilent();
@@ -43,12 +43,12 @@ class MockCentral {
 
   // What it has seen.
   sylph_msgs::AdgState state() const;
-  std::vector<sylph_msgs::JointAction> received() const;
-  /// The last plan that has arrived, one configuration a step.
+  std::vector<sylph_msgs::JointActions> received() const;
+  /// The last plan that has arrived.
   sylph::Plan plan() const;
 
  private:
-  void onJointAction(const sylph_msgs::JointAction& message);
+  void onJointActions(const sylph_msgs::JointActions& message);
   bool onPause(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   bool onResume(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void tick();
@@ -60,9 +60,8 @@ class MockCentral {
   ros::NodeHandle nh_{"/sylph"};
   Mission mission_;
   sylph_msgs::AdgState state_;
-  std::map<std::uint32_t, sylph_msgs::JointAction> steps_;  ///< of state_.plan_id
-  std::vector<sylph_msgs::JointAction> received_;
-  std::set<std::uint32_t> dropped_;
+  sylph::MissionPlan plan_;                         ///< state_.plan_id
+  std::vector<sylph_msgs::JointActions> received_;  ///< plans, not their withdrawals
   std::set<std::string> without_pose_;
   std::string refusal_;
   std::uint32_t next_step_ = 0;

@@ -2,6 +2,7 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/ros.h>
 #include <ros/topic.h>
+#include <sylph_msgs/JointActions.h>
 
 #include <algorithm>
 #include <atomic>
@@ -59,10 +60,21 @@ TEST_F(PlannerNodeTest, StartsWhereTheRobotsAreNotWhereTheFileSays) {
 }
 
 TEST_F(PlannerNodeTest, SendsAgainWhatDidNotArrive) {
-  central_.dropEverySecondMessageOnce();
+  central_.dropOnePlan();
   const ExecuteMissionResult result = run(toGoal(smallLab()));
   EXPECT_EQ(ExecuteMissionResult::SUCCESS, result.outcome) << result.message;
-  EXPECT_GT(central_.received().size(), result.plan_steps);
+  const auto received = central_.received();
+  ASSERT_EQ(2U, received.size());
+  EXPECT_EQ(received.front().plan_id, received.back().plan_id);
+}
+
+TEST_F(PlannerNodeTest, TakesThePlanBackWhenTheMissionIsOver) {
+  run(toGoal(smallLab()));
+  ASSERT_TRUE(waitUntil([] {
+    const auto late = ros::topic::waitForMessage<sylph_msgs::JointActions>(
+        "/sylph/" + std::string(sylph_ros::kJointActionsTopic), ros::Duration(5.0));
+    return late && late->plan_id == 0;
+  }));
 }
 
 TEST_F(PlannerNodeTest, NumbersPlansAfterThoseTheCentralNodeKnows) {
@@ -155,7 +167,7 @@ TEST_F(PlannerNodeTest, PlansTheRestAroundALostRobot) {
   EXPECT_EQ(2U, result.arrived) << result.message;
   EXPECT_EQ(1U, result.replans);
   EXPECT_NE(std::string::npos, result.message.find("robot_1 is lost")) << result.message;
-  const sylph_msgs::JointAction last = central_.received().back();
+  const sylph_msgs::JointActions last = central_.received().back();
   EXPECT_EQ(first_id + 1, last.plan_id);
   EXPECT_EQ(first_id, last.replaces_plan_id);
   EXPECT_EQ(2U, last.agents.size());

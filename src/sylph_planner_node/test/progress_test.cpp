@@ -36,7 +36,7 @@ TEST(WaitingLinesTest, SayWhoWaitsForWhomAndWhy) {
   AdgState state = finishedState();
   RobotExecution& robot = state.robots[0];
   robot.waiting = true;
-  robot.waiting_since_s = 1.23;
+  robot.waited_s = 1.23;
   robot.waits_for_robot = "robot_1";
   robot.waits_for_cell = sylph_ros::toMessage(sylph::Cell{2, 3});
   robot.root_cause_robot = "robot_2";
@@ -87,16 +87,11 @@ TEST(FinishedResultTest, SaysWhoDidNotArriveAndWhy) {
             result.message);
 }
 
-TEST(IsExecutionOfTest, AsksForTheSameRobotsAndGoalsAndAWholePlan) {
+TEST(IsExecutionOfTest, AsksForTheSameRobotsAndGoals) {
   AdgState state = finishedState();
   EXPECT_FALSE(isExecutionOf(smallMission(), state)) << "finished";
   state.phase = AdgState::EXECUTING;
-  state.steps = 9;
-  state.steps_received = 9;
   EXPECT_TRUE(isExecutionOf(smallMission(), state));
-  state.steps_received = 8;
-  EXPECT_FALSE(isExecutionOf(smallMission(), state)) << "not all of the plan has arrived";
-  state.steps_received = 9;
   state.robots[0].goal.col = 1;
   EXPECT_FALSE(isExecutionOf(smallMission(), state)) << "other goal";
   state.robots[0].condition = RobotExecution::LOST;

@@ -68,7 +68,7 @@ std::map<std::string, RootCause> rootCauses(const Scene& scene) {
     if (robot.execution && robot.execution->waiting && !robot.execution->root_cause_robot.empty()) {
       RootCause& entry = causes[robot.execution->root_cause_robot];
       ++entry.held_up;
-      entry.longest_s = std::max(entry.longest_s, robot.execution->waiting_since_s);
+      entry.longest_s = std::max(entry.longest_s, robot.execution->waited_s);
       entry.reason = robot.execution->root_cause;
     }
   }
@@ -119,9 +119,8 @@ void addWait(const Scene& scene, const RobotView& robot, int id, Markers& marker
                                 shifted({{-r, -r}, {r, -r}, {r, r}, {-r, r}, {-r, -r}}, *center),
                                 height::kGoal, 0.015, orange()));
   }
-  if (robot.execution->waiting_since_s >= kLongWaitS) {
-    const std::string seconds =
-        std::to_string(std::lround(robot.execution->waiting_since_s)) + " s";
+  if (robot.execution->waited_s >= kLongWaitS) {
+    const std::string seconds = std::to_string(std::lround(robot.execution->waited_s)) + " s";
     markers.push_back(
         attach(text({"time", id}, {0.0, -0.19}, height::kText, 0.10, seconds, orange()), robot));
   }

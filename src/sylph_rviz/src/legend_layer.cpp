@@ -46,8 +46,8 @@ Marker scaled(Marker marker, double factor) {
 }
 
 const char* phaseName(std::uint8_t phase) {
-  constexpr std::array<const char*, 7> kNames = {"IDLE",   "RECEIVING", "EXECUTING", "CUTTING",
-                                                 "AT CUT", "FINISHED",  "REFUSED"};
+  constexpr std::array<const char*, 7> kNames = {"IDLE",   "PENDING",  "EXECUTING", "CUTTING",
+                                                 "AT CUT", "FINISHED", "REFUSED"};
   return phase < kNames.size() ? kNames.at(phase) : "?";
 }
 

@@ -142,7 +142,7 @@ TEST(WaitMarkersTest, ShowWhoWaitsForWhomAndTheRootCause) {
   EXPECT_TRUE(waitMarkers(scene).empty());
   robot.waiting = 1;
   robot.waits_for_robot = "robot_1";
-  robot.waiting_since_s = 2.6;
+  robot.waited_s = 2.6;
   robot.root_cause_robot = "robot_1";
   robot.root_cause = "stuck";
   robot.waits_for_cell.row = 1;
@@ -153,7 +153,7 @@ TEST(WaitMarkersTest, ShowWhoWaitsForWhomAndTheRootCause) {
   EXPECT_EQ("robot_1", findMarker(markers, "root_cause", 1)->header.frame_id);
   EXPECT_EQ("holds up 1: stuck", findMarker(markers, "root_cause_text", 10)->text);
 
-  robot.waiting_since_s = 0.2;
+  robot.waited_s = 0.2;
   EXPECT_EQ(nullptr, findMarker(waitMarkers(scene), "root_cause_text", 10)) << "a short wait";
 }
 

@@ -5,7 +5,7 @@
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 #include <sylph_msgs/DeclareLost.h>
-#include <sylph_msgs/JointAction.h>
+#include <sylph_msgs/JointActions.h>
 #include <sylph_msgs/SeparationState.h>
 #include <sylph_msgs/SimulationTruth.h>
 #include <sylph_msgs/TaskReport.h>
@@ -15,7 +15,6 @@
 
 #include "sylph_adg_central/event_log.hpp"
 #include "sylph_adg_central/options.hpp"
-#include "sylph_adg_central/plan_assembler.hpp"
 #include "sylph_adg_central/run_folder.hpp"
 #include "sylph_adg_central/run_record.hpp"
 #include "sylph_core/adg/execution.hpp"
@@ -24,7 +23,7 @@
 
 namespace sylph_adg_central {
 
-/// Takes a plan's joint actions and hands tasks out to the robots. What to do is decided by
+/// Takes plans and hands tasks out to the robots. What to do is decided by
 /// sylph::Execution; this class carries messages, the clock and the event log to it and back.
 class CentralNode {
  public:
@@ -40,7 +39,7 @@ class CentralNode {
   void advertiseServices();
   void rebuild();
 
-  void onJointAction(const sylph_msgs::JointAction& message);
+  void onJointActions(const sylph_msgs::JointActions& message);
   void onReport(int robot, const sylph_msgs::TaskReport& message);
   void onSeparation(const sylph_msgs::SeparationState& message);
   void onEmergencyStop(const std_msgs::Bool& message);
@@ -69,13 +68,11 @@ class CentralNode {
   EventLog log_;
   sylph::Execution execution_;
   RunRecord record_;
-  PlanAssembler assembler_;
   bool is_emergency_ = false;
   std::string emergency_reason_ = "the separation monitor stops all robots";
-  bool has_changed_ = true;       ///< since the last AdgState
-  double state_sent_s_ = 0.0;     ///< steady time
-  bool is_result_due_ = false;    ///< a mission has begun that has no result yet
-  std::uint32_t last_steps_ = 0;  ///< of the plan that is carried out
+  bool has_changed_ = true;     ///< since the last AdgState
+  double state_sent_s_ = 0.0;   ///< steady time
+  bool is_result_due_ = false;  ///< a mission has begun that has no result yet
 
   std::vector<ros::Publisher> task_publishers_;
   std::vector<ros::Subscriber> subscribers_;

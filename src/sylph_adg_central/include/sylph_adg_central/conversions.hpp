@@ -12,7 +12,7 @@ namespace sylph_adg_central {
 
 sylph_msgs::RobotExecution toMessage(const sylph::RobotView& view, const std::string& robot);
 
-/// Stamp, counts of received steps and elapsed time are left to the caller.
+/// Stamp, steps and elapsed time are left to the caller.
 /// @param now_s  steady time [s]
 sylph_msgs::AdgState toMessage(const sylph::Execution& execution, double now_s);
 

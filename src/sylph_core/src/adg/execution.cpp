@@ -30,7 +30,19 @@ void Execution::setPhase(ExecutionPhase phase) {
   }
 }
 
+bool Execution::isNew(std::uint32_t plan_id) const {
+  // After a restart a plan may be pending of which only the id is known.
+  return plan_id > plan_id_ ||
+         (plan_id == plan_id_ && phase_ == ExecutionPhase::Pending && !pending_);
+}
+
 void Execution::refuse(std::uint32_t plan_id, const std::string& reason) {
+  if (isNew(plan_id)) {
+    setRefused(plan_id, reason);
+  }
+}
+
+void Execution::setRefused(std::uint32_t plan_id, const std::string& reason) {
   pending_.reset();
   plan_id_ = plan_id;
   last_plan_id_ = std::max(last_plan_id_, plan_id);
@@ -246,6 +258,7 @@ void Execution::replay(const ExecutionEvent& event) {
       break;
     case Kind::Phase:
       phase_ = static_cast<ExecutionPhase>(event.number);
+      plan_id_ = event.plan_id;
       is_cut_ = is_cut_ || phase_ == ExecutionPhase::Cutting;
       break;
     case Kind::Accepted:

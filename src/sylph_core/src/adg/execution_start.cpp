@@ -26,11 +26,30 @@ Cell nowhere(int robot) {
 
 }  // namespace
 
-void Execution::announce(std::uint32_t plan_id) {
-  if (plan_id <= last_plan_id_) {
+void Execution::submit(MissionPlan plan, double now_s) {
+  const std::uint32_t plan_id = plan.plan_id;
+  if (!isNew(plan_id)) {
     return;
   }
-  pending_.reset();
+  if (plan_id > plan_id_ && plan_id <= last_plan_id_) {
+    setRefused(plan_id, "its id is not greater than " + std::to_string(last_plan_id_) +
+                            ", which is the last one in use");
+    return;
+  }
+  if (plan.replaces_plan_id == 0) {
+    makeRoomFor(plan_id);
+  }
+  if (const auto fault = faultOf(plan)) {
+    setRefused(plan_id, *fault);
+    return;
+  }
+  pending_ = std::make_shared<const MissionPlan>(std::move(plan));
+  pending_until_s_ = now_s + limits_.start_wait_s;
+  tryStart(now_s);
+  advance();
+}
+
+void Execution::makeRoomFor(std::uint32_t plan_id) {
   refusal_.clear();
   plan_id_ = plan_id;
   last_plan_id_ = plan_id;
@@ -38,28 +57,7 @@ void Execution::announce(std::uint32_t plan_id) {
     is_abandoned_ = true;
     log({Kind::Abandoned, plan_->plan_id, -1, 0, "a new mission takes its place"});
   }
-  setPhase(ExecutionPhase::Receiving);
-}
-
-void Execution::submit(MissionPlan plan, double now_s) {
-  const bool is_announced = plan.plan_id == plan_id_ && phase_ == ExecutionPhase::Receiving;
-  const std::uint32_t plan_id = plan.plan_id;
-  if (plan_id <= last_plan_id_ && !is_announced) {
-    refuse(plan_id, "its id is not greater than " + std::to_string(last_plan_id_) +
-                        ", which is the last one in use");
-    return;
-  }
-  if (plan.replaces_plan_id == 0) {
-    announce(plan_id);
-  }
-  if (const auto fault = faultOf(plan)) {
-    refuse(plan_id, *fault);
-    return;
-  }
-  pending_ = std::make_shared<const MissionPlan>(std::move(plan));
-  pending_until_s_ = now_s + limits_.start_wait_s;
-  tryStart(now_s);
-  advance();
+  setPhase(ExecutionPhase::Pending);
 }
 
 void Execution::tryStart(double now_s) {
@@ -69,18 +67,18 @@ void Execution::tryStart(double now_s) {
   const std::uint32_t plan_id = pending_->plan_id;
   if (const auto wait = reasonToWait(now_s)) {
     if (now_s > pending_until_s_) {
-      refuse(plan_id, *wait);
+      setRefused(plan_id, *wait);
     }
     return;
   }
   if (const auto fault = reasonNotAtStart(*pending_)) {
-    refuse(plan_id, *fault);
+    setRefused(plan_id, *fault);
     return;
   }
   try {
     load(std::exchange(pending_, nullptr));
   } catch (const PlanRefused& refused) {
-    refuse(plan_id, refused.what());
+    setRefused(plan_id, refused.what());
   }
 }
 
@@ -97,6 +95,9 @@ std::optional<std::string> Execution::faultOf(const MissionPlan& plan) const {
     if (plan.replaces_plan_id != 0 && robots_[index(*known)].monitor.isLost()) {
       return robot + " is lost and cannot take part";
     }
+  }
+  if (plan.first_step != 0) {
+    return "it begins at timestep " + std::to_string(plan.first_step) + ": must be 0";
   }
   if (plan.plan.empty() || plan.goals.size() != plan.robots.size() ||
       plan.social.size() != plan.steps()) {

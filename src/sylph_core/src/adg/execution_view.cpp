@@ -90,7 +90,7 @@ void Execution::fillWait(int robot, double now_s, RobotView& view) const {
     view.waits_for_robot = name(blocker.agent);
     view.waits_for_task = blocker.id;
     view.waits_for_cell = blocker.start;
-    view.waiting_since_s = since_s ? now_s - *since_s : 0.0;
+    view.waited_s = since_s ? now_s - *since_s : 0.0;
   }
   const int root = graph_->waitChain(robot).back();
   const bool has_trouble = robots_[index(root)].monitor.condition() != RobotCondition::Ok;

@@ -6,8 +6,8 @@ std::string toString(ExecutionPhase phase) {
   switch (phase) {
     case ExecutionPhase::Idle:
       return "idle";
-    case ExecutionPhase::Receiving:
-      return "receiving";
+    case ExecutionPhase::Pending:
+      return "pending";
     case ExecutionPhase::Executing:
       return "executing";
     case ExecutionPhase::Cutting:

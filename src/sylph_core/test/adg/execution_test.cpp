@@ -54,7 +54,7 @@ TEST_F(ExecutionTest, ShowsWhoWaitsForWhomAndWhy) {
   const RobotView view = execution_->view(0, now_s_);
   EXPECT_EQ("robot_1", view.waits_for_robot);
   EXPECT_EQ((Cell{0, 1}), view.waits_for_cell);
-  EXPECT_NEAR(now_s_ - since_s, view.waiting_since_s, 1e-9);
+  EXPECT_NEAR(now_s_ - since_s, view.waited_s, 1e-9);
   EXPECT_EQ("robot_2", view.root_cause_robot);
   EXPECT_EQ("is on its way from (0,2) to (0,3)", view.root_cause);
   EXPECT_EQ((std::vector<Cell>{{0, 0}}), view.held_cells);
@@ -126,7 +126,7 @@ TEST_F(ExecutionTest, RefusesToDriveThroughABystander) {
 
 TEST_F(ExecutionTest, WaitsForReportsAndThenRefuses) {
   submit(queue(), 1);
-  EXPECT_EQ(ExecutionPhase::Receiving, execution_->phase());
+  EXPECT_EQ(ExecutionPhase::Pending, execution_->phase());
   place(queue().front());
   EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
   restart();
@@ -305,11 +305,9 @@ TEST_F(ExecutionTest, AReplacementNeedsACut) {
 TEST_F(ExecutionTest, ANewMissionWaitsUntilRobotsRest) {
   place(queue().front());
   submit(queue(), 1);
-  execution_->announce(2);
-  EXPECT_EQ(ExecutionPhase::Receiving, execution_->phase());
   const Configuration at_rest = {{0, 0}, {0, 1}, {0, 4}};
   submit({at_rest, {{0, 0}, {0, 1}, {1, 4}}}, 2);
-  EXPECT_EQ(ExecutionPhase::Receiving, execution_->phase()) << "robot 2 has tasks of plan 1";
+  EXPECT_EQ(ExecutionPhase::Pending, execution_->phase()) << "robot 2 has tasks of plan 1";
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
   EXPECT_EQ(2u, execution_->planId());
   EXPECT_EQ((Cell{1, 4}), execution_->view(2, now_s_).cell);

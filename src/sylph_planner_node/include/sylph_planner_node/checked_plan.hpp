@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_core/mapf/metrics.hpp"
 #include "sylph_core/planners/planner.hpp"
@@ -18,6 +19,11 @@ struct CheckedPlan {
   sylph::PlanMetrics metrics;
   double planning_s = 0.0;  ///< wall time [s]
 };
+
+/// The plan as it goes to the central node; its ids are left to the caller.
+/// @param robots  name of each agent
+sylph::MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string>& robots,
+                                 const std::string& planner);
 
 /// The instance of a mission: rotations are ruled out, since robots hold the cell that they leave
 /// until they have arrived in the next one.

@@ -6,6 +6,7 @@
 #include <ros/steady_timer.h>
 #include <sylph_msgs/AdgState.h>
 #include <sylph_msgs/ExecuteMissionAction.h>
+#include <sylph_msgs/JointActions.h>
 
 #include <future>
 #include <optional>
@@ -17,7 +18,6 @@
 #include "sylph_planner_node/mission.hpp"
 #include "sylph_planner_node/mode_caller.hpp"
 #include "sylph_planner_node/options.hpp"
-#include "sylph_planner_node/plan_sender.hpp"
 #include "sylph_planner_node/pose_listener.hpp"
 #include "sylph_ros/steady_clock.hpp"
 
@@ -37,7 +37,7 @@ class PlannerNode {
     Idle,
     Starting,   ///< waits for poses, for the central node, for robots to hold
     Planning,   ///< the thread is at work
-    Sending,    ///< the central node does not have the whole plan yet
+    Sending,    ///< the central node does not carry the plan out yet
     Executing,  ///< follows AdgState
     Pausing,    ///< cancelled: waits for the robots to hold
   };
@@ -60,6 +60,9 @@ class PlannerNode {
   void startPlanning();
   void startReplanning();
   void send(const CheckedPlan& plan);
+  void publishPlan();
+  /// Takes the plan back, so that no central node that starts later finds it.
+  void withdrawPlan();
   void follow();
   void publishFeedback();
 
@@ -91,13 +94,14 @@ class PlannerNode {
   std::vector<std::string> given_up_;
   sylph_msgs::ExecuteMissionResult totals_;  ///< plan_steps, sum_of_costs and planning_s so far
   std::future<CheckedPlan> planning_;
-  std::optional<PlanSender> sender_;
-  std::optional<sylph_msgs::AdgState> state_;  ///< the last one
-  double state_received_s_ = 0.0;              ///< steady time [s]
-  double feedback_sent_s_ = 0.0;               ///< steady time [s]
+  std::optional<sylph_msgs::JointActions> plan_;  ///< that stands on the topic
+  double sent_s_ = 0.0;                           ///< steady time [s]
+  std::optional<sylph_msgs::AdgState> state_;     ///< the last one
+  double state_received_s_ = 0.0;                 ///< steady time [s]
+  double feedback_sent_s_ = 0.0;                  ///< steady time [s]
   std::string last_outcome_ = "no mission yet";
 
-  ros::Publisher joint_action_publisher_;
+  ros::Publisher joint_actions_publisher_;
   ros::Publisher map_publisher_;
   ros::Subscriber adg_state_subscriber_;
   Server server_;

@@ -29,7 +29,7 @@ sylph_msgs::ExecuteMissionResult finishedResult(const Mission& mission,
                                                 const std::vector<std::string>& given_up);
 
 /// Whether `state` is that of a plan of this mission that is being carried out: the same robots
-/// with the same goals, and the plan is complete. A planner that was started again goes on with it.
+/// with the same goals. A planner that was started again goes on with it.
 bool isExecutionOf(const Mission& mission, const sylph_msgs::AdgState& state);
 
 /// Whether some plan is under way.

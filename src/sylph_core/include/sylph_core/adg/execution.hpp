@@ -31,12 +31,11 @@ class Execution {
   Execution(std::vector<std::string> robots, int rows, int cols, double cell_size_m,
             const ExecutionLimits& limits, const Point& corner = {});
 
-  /// Tells that a new mission's plan has begun to arrive: what is being carried out gives way to
-  /// it.
-  void announce(std::uint32_t plan_id);
-  /// Takes a complete plan. It starts, or is refused, as soon as that can be decided: at once if
-  /// all its robots have reported and rest.
+  /// Takes a plan. It starts, or is refused, as soon as that can be decided: at once if all its
+  /// robots have reported and rest. What is being carried out gives way to a new mission. A plan
+  /// that is known already, or older, changes nothing.
   void submit(MissionPlan plan, double now_s);
+  /// Refuses a plan that cannot even be read, unless it is known already, or older.
   void refuse(std::uint32_t plan_id, const std::string& reason);
   /// @throws std::out_of_range if there is no such robot
   void report(int robot, const RobotReport& report, double now_s);
@@ -90,7 +89,11 @@ class Execution {
   void setPhase(ExecutionPhase phase);
   void advance();
 
+  bool isNew(std::uint32_t plan_id) const;
+  void setRefused(std::uint32_t plan_id, const std::string& reason);
+
   // Starting a plan: execution_start.cpp
+  void makeRoomFor(std::uint32_t plan_id);
   void tryStart(double now_s);
   std::optional<std::string> faultOf(const MissionPlan& plan) const;
   std::optional<std::string> reasonToWait(double now_s) const;

@@ -13,6 +13,7 @@ namespace sylph {
 struct MissionPlan {
   std::uint32_t plan_id = 0;           ///< from 1, greater for each new plan
   std::uint32_t replaces_plan_id = 0;  ///< plan from whose commit cut it starts; 0: a new mission
+  std::uint32_t first_step = 0;  ///< timestep of the replaced plan that plan[0] stands for; only 0
   std::string planner;
   double planning_s = 0.0;          ///< wall time of planning [s]
   std::vector<std::string> robots;  ///< name of each agent

@@ -27,7 +27,7 @@ struct RobotView {
   std::string waits_for_robot;  ///< empty: it does not wait
   TaskId waits_for_task = 0;
   Cell waits_for_cell;
-  double waiting_since_s = 0.0;  ///< for how long [s]
+  double waited_s = 0.0;  ///< for how long [s]
   std::string root_cause_robot;
   std::string root_cause;
 };

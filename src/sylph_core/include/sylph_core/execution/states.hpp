@@ -6,8 +6,8 @@
 namespace sylph {
 
 enum class ExecutionPhase : std::uint8_t {
-  Idle = 0,       ///< no plan
-  Receiving = 1,  ///< a plan arrives, or waits until it may start
+  Idle = 0,     ///< no plan
+  Pending = 1,  ///< a plan has come and waits until it may start
   Executing = 2,
   Cutting = 3,   ///< robots run to the commit cut, for a new plan from there
   AtCut = 4,     ///< all at the cut: waiting for the plan that replaces this one
