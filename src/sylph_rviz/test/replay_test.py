@@ -75,6 +75,10 @@ class ReplayTest(unittest.TestCase):
         small_run.write_bag(self.bag, leave_out=topics)
         self.assert_refused("has none of the topics of a run")
 
+    def test_refuses_a_bag_of_another_version_of_the_suite(self):
+        small_run.write_old_bag(self.bag)
+        self.assert_refused("/robot_0/task is sylph_msgs/Task of another version of the suite")
+
 
 if __name__ == "__main__":
     rospy.init_node("replay_test")

@@ -40,6 +40,12 @@ class RunDataTest(unittest.TestCase):
         self.assertEqual(robot.cells_done, [0, 1, 2, 3])
         self.assertEqual(robot.time_s, [0.0, 1.0, 2.0, 3.0])
 
+    def test_says_in_one_line_that_a_bag_is_of_another_version(self):
+        small_run.write_old_bag(os.path.join(self.folder.name, "run.bag"))
+        missing = run_data.load(self.folder.name).missing
+        self.assertEqual(len(missing), 1)
+        self.assertIn("/robot_0/task is sylph_msgs/Task of another version of the suite", missing[0])
+
     def test_says_nothing_is_missing(self):
         self.assertEqual(self.run_data.missing, [])
 

@@ -12,6 +12,7 @@ from sylph_msgs.msg import (
     AgentAction,
     Cell,
     JointAction,
+    JointActions,
     RobotExecution,
     SeparationState,
     Task,
@@ -25,7 +26,7 @@ SECONDS = 4
 
 def adg_state(time_s):
     """Robot 0 is done after 3 s, robot 1 waits for it in the second second."""
-    state = AdgState(plan_id=1, phase=AdgState.EXECUTING, steps=3, steps_received=3)
+    state = AdgState(plan_id=1, phase=AdgState.EXECUTING, steps=3)
     state.header.frame_id = "map"
     for index, name in enumerate(ROBOTS):
         robot = RobotExecution(robot_id=name, tasks_total=3, svo_deg=15.0 * index)
@@ -43,11 +44,9 @@ def adg_state(time_s):
     return state
 
 
-def joint_action(step):
-    action = JointAction(plan_id=1, step=step, steps=3)
-    for name in ROBOTS:
-        action.agents.append(AgentAction(robot=name, action=AgentAction.EAST))
-    return action
+def joint_actions():
+    step = JointAction(actions=[AgentAction(action=AgentAction.EAST) for _ in ROBOTS])
+    return JointActions(plan_id=1, agents=ROBOTS, steps=[step] * 3)
 
 
 def pose(index, time_s):
@@ -70,8 +69,8 @@ def write_bag(path, leave_out=()):
         grid = OccupancyGrid(data=[0] * 8)
         grid.info.width, grid.info.height, grid.info.resolution = 4, 2, 0.3
         write("/map", grid, 0.0)
-        for step in range(3):
-            write("/sylph/joint_actions", joint_action(step), 0.01 * step)
+        write("/sylph/joint_actions", joint_actions(), 0.0)
+        write("/sylph/joint_actions", JointActions(), SECONDS)
         for tick in range(10 * SECONDS):
             time_s = 0.1 * tick
             write("/sylph/adg_state", adg_state(time_s), time_s)
@@ -107,3 +106,17 @@ def write_folder(folder):
     for name, content in files.items():
         with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
             file.write(content)
+
+
+class OldTask(Task):
+    """A message as an earlier version of the suite defined it."""
+
+    _md5sum = "0" * 32
+    _full_text = "uint32 plan_id"
+
+
+def write_old_bag(path):
+    """A bag of an earlier version of the suite."""
+    with rosbag.Bag(path, "w") as bag:
+        bag.write("/sylph/adg_state", adg_state(0.0), rospy.Time.from_sec(START_S))
+        bag.write("/robot_0/task", OldTask(), rospy.Time.from_sec(START_S))

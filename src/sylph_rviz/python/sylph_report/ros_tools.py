@@ -4,6 +4,7 @@ import re
 import sys
 
 import rosgraph.names
+import roslib.message
 import roslib.packages
 
 # What ROS calls by a global name and each fleet has for itself, as sylph_ros::initNode() has it.
@@ -39,3 +40,20 @@ def recorded_fleet(topics):
     """The namespace of the fleet that a bag with these topics is of, '/' or such as '/lab/'; None: of no fleet."""
     found = [re.fullmatch("(/|/.+/)sylph/(adg_state|separation|joint_actions)", topic) for topic in topics]
     return next((match.group(1) for match in found if match), None)
+
+
+def changed_type(bag):
+    """One line on a message of the suite that the bag has in another version; None if there is none.
+
+    Its players and readers would refuse such a message by checksum, or misread it.
+    """
+    types, topics = bag.get_type_and_topic_info()
+    for topic, info in sorted(topics.items()):
+        known = roslib.message.get_message_class(info.msg_type)
+        is_ours = info.msg_type.startswith("sylph_msgs/")
+        if is_ours and (known is None or known._md5sum != types[info.msg_type]):
+            return (
+                f"{topic} is {info.msg_type} of another version of the suite (a plan is one sylph_msgs/JointActions "
+                "since 0.1.0): use the version that recorded it"
+            )
+    return None

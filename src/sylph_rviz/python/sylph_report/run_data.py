@@ -7,7 +7,7 @@ from dataclasses import dataclass, field
 import rosbag
 import yaml
 
-from sylph_report.ros_tools import recorded_fleet
+from sylph_report.ros_tools import changed_type, recorded_fleet
 
 # Defaults of an experiment's `execution` section.
 SPEED_LIMIT_MPS = 0.25
@@ -159,7 +159,11 @@ def _load_bag(run, path):
         return
     try:
         with rosbag.Bag(path) as bag:
-            _read_bag(run, bag)
+            changed = changed_type(bag)
+            if changed:
+                run.missing.append(f"{path}: {changed}")
+            else:
+                _read_bag(run, bag)
     except (rosbag.ROSBagException, OSError) as error:
         run.missing.append(f"{path}: not a readable bag: {error}")
 
@@ -184,7 +188,7 @@ class _BagReader:
     def __init__(self, run):
         self._run = run
         self._start_s = None  # ROS time of the first task
-        self._joint_actions = {}  # plan_id -> {step: message}
+        self._steps = {}  # plan_id -> [{robot: action}], one per timestep
         self._plan_start = {}  # plan_id -> (time_s, {robot: cells done before})
         self._plan_id = 0
         self._is_over = False
@@ -193,7 +197,9 @@ class _BagReader:
         if topic == ADG_STATE:
             self._take_state(message, received_s)
         elif topic == JOINT_ACTIONS:
-            self._joint_actions.setdefault(message.plan_id, {})[message.step] = message
+            self._steps[message.plan_id] = [
+                dict(zip(message.agents, (a.action for a in step.actions))) for step in message.steps
+            ]
         elif topic == SEPARATION:
             self._take_separation(message, received_s)
         elif topic == TRUTH:
@@ -210,19 +216,15 @@ class _BagReader:
         """Adds the plans, whose steps are spread over their shortest possible time."""
         step_s = self._run.cell_size_m / self._run.speed_limit_mps
         for plan_id, (start_s, done) in self._plan_start.items():
-            steps = self._joint_actions.get(plan_id, {})
             cells = dict(done)
-            for step in sorted(steps):
-                for agent in steps[step].agents:
-                    robot = self._run.robots.setdefault(agent.robot, RobotRun())
+            steps = self._steps.get(plan_id, [])
+            # The last sample is where everybody rests.
+            for step, actions in enumerate(steps + [dict.fromkeys(steps[-1], 0)] if steps else []):
+                for name, action in actions.items():
+                    robot = self._run.robots.setdefault(name, RobotRun())
                     robot.planned_time_s.append(start_s + step * step_s)
-                    robot.planned_cells.append(cells.get(agent.robot, 0))
-                    cells[agent.robot] = cells.get(agent.robot, 0) + (agent.action != 0)
-            if steps:
-                end_s = start_s + (max(steps) + 1) * step_s
-                for agent in steps[max(steps)].agents:
-                    self._run.robots[agent.robot].planned_time_s.append(end_s)
-                    self._run.robots[agent.robot].planned_cells.append(cells[agent.robot])
+                    robot.planned_cells.append(cells.get(name, 0))
+                    cells[name] = cells.get(name, 0) + (action != 0)
 
     def _is_running(self):
         return self._start_s is not None and not self._is_over
