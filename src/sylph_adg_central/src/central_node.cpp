@@ -4,12 +4,13 @@
 #include <cmath>
 #include <ctime>
 
-#include "sylph_adg_central/conversions.hpp"
+#include "sylph_core/adg/explanation.hpp"
 #include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/parameters.hpp"
 #include "sylph_ros/plan_messages.hpp"
+#include "sylph_ros/state_messages.hpp"
 #include "sylph_ros/task_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -17,7 +18,6 @@ namespace sylph_adg_central {
 namespace {
 
 using sylph::ExecutionMode;
-using Kind = sylph::ExecutionEvent::Kind;
 
 /// AdgState on change, but not more often than this [s].
 constexpr double kShortestStatePeriod = 0.02;
@@ -219,6 +219,39 @@ void CentralNode::onTimer() {
   diagnostics_.update();
 }
 
+struct CentralNode::Follow {
+  CentralNode& node;
+
+  void operator()(const sylph::event::Started& started) const {
+    node.is_result_due_ = true;
+    sylph::savePlan(started.plan->plan, node.folder_.plan());
+    ROS_INFO("plan %u of %zu robots and %u steps is carried out", started.plan->plan_id,
+             started.plan->robots.size(), started.plan->steps());
+  }
+  void operator()(const sylph::event::Refused& refused) const {
+    ROS_ERROR("refused: %s", refused.reason.c_str());
+    node.saveResult();
+  }
+  void operator()(const sylph::event::Condition& event) const {
+    ROS_WARN("%s is %s%s%s", node.execution_.name(event.robot).c_str(),
+             toString(event.condition).c_str(), event.reason.empty() ? "" : ": ",
+             event.reason.c_str());
+  }
+  void operator()(const sylph::event::Lost& lost) const {
+    ROS_WARN("%s is lost: %s", node.execution_.name(lost.robot).c_str(), lost.reason.c_str());
+  }
+  void operator()(const sylph::event::Mode& mode) const {
+    ROS_WARN("%s: %s", toString(mode.mode).c_str(), mode.reason.c_str());
+  }
+  void operator()(const sylph::event::Phase& phase) const {
+    if (phase.phase == sylph::ExecutionPhase::Finished) {
+      node.saveResult();
+    }
+  }
+  template <typename Other>
+  void operator()(const Other& /*event*/) const {}
+};
+
 void CentralNode::flush() {
   const double stamp_s = ros::Time::now().toSec();
   const std::vector<sylph::ExecutionEvent> events = execution_.takeEvents();
@@ -232,7 +265,7 @@ void CentralNode::flush() {
     task_publishers_[static_cast<std::size_t>(order.robot)].publish(task);
   }
   for (const sylph::ExecutionEvent& event : events) {
-    onEvent(event);
+    std::visit(Follow{*this}, event.what);
   }
   has_changed_ = has_changed_ || !events.empty();
   if (has_changed_ && clock_.now() - state_sent_s_ >= kShortestStatePeriod) {
@@ -240,47 +273,11 @@ void CentralNode::flush() {
   }
 }
 
-void CentralNode::onEvent(const sylph::ExecutionEvent& event) {
-  switch (event.kind) {
-    case Kind::Started:
-      is_result_due_ = true;
-      sylph::savePlan(event.plan->plan, folder_.plan());
-      ROS_INFO("plan %u of %zu robots and %u steps is carried out", event.plan_id,
-               event.plan->robots.size(), event.plan->steps());
-      break;
-    case Kind::Refused:
-      ROS_ERROR("refused: %s", event.text.c_str());
-      is_result_due_ = true;
-      saveResult();
-      break;
-    case Kind::Condition:
-      ROS_WARN("%s is %s%s%s", execution_.name(event.robot).c_str(),
-               toString(static_cast<sylph::RobotCondition>(event.number)).c_str(),
-               event.text.empty() ? "" : ": ", event.text.c_str());
-      break;
-    case Kind::Lost:
-      ROS_WARN("%s is lost: %s", execution_.name(event.robot).c_str(), event.text.c_str());
-      break;
-    case Kind::Mode:
-      ROS_WARN("%s: %s", toString(static_cast<ExecutionMode>(event.number)).c_str(),
-               event.text.c_str());
-      break;
-    case Kind::Phase:
-      if (static_cast<sylph::ExecutionPhase>(event.number) == sylph::ExecutionPhase::Finished) {
-        saveResult();
-      }
-      break;
-    default:
-      break;
-  }
-}
-
 void CentralNode::publishState() {
   has_changed_ = false;
   state_sent_s_ = clock_.now();
-  sylph_msgs::AdgState state = toMessage(execution_, state_sent_s_);
+  sylph_msgs::AdgState state = sylph_ros::toMessage(explain(execution_, state_sent_s_));
   state.header.stamp = ros::Time::now();
-  state.steps = execution_.plan() != nullptr ? execution_.plan()->steps() : 0;
   state.elapsed_s = record_.elapsed(state.header.stamp.toSec(),
                                     execution_.phase() == sylph::ExecutionPhase::Finished);
   state_publisher_.publish(state);
@@ -311,7 +308,7 @@ void CentralNode::reportDiagnostics(diagnostic_updater::DiagnosticStatusWrapper&
     }
   }
   status.add("plan_id", execution_.planId());
-  status.add("robots", execution_.missionRobots());
+  status.add("robots", execution_.missionGoals().size());
   status.add("mode", toString(execution_.mode()));
   status.add("run_folder", folder_.path());
   status.add("promised_separation_m", margin_.promisedSeparation());

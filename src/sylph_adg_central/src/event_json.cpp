@@ -1,31 +1,17 @@
 #include "sylph_adg_central/event_json.hpp"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <utility>
+#include <variant>
 
 namespace sylph_adg_central {
 namespace {
 
-using Kind = sylph::ExecutionEvent::Kind;
+namespace event = sylph::event;
 using nlohmann::json;
-
-constexpr std::array<std::pair<Kind, const char*>, 10> kKinds = {{
-    {Kind::Started, "plan"},
-    {Kind::Refused, "refused"},
-    {Kind::Abandoned, "abandoned"},
-    {Kind::Released, "released"},
-    {Kind::Accepted, "accepted"},
-    {Kind::Done, "done"},
-    {Kind::Condition, "condition"},
-    {Kind::Lost, "lost"},
-    {Kind::Mode, "mode"},
-    {Kind::Phase, "phase"},
-}};
 
 json toJson(const sylph::Configuration& cells) {
   json list = json::array();
@@ -89,55 +75,136 @@ sylph::MissionPlan planFromJson(const json& object, std::uint32_t plan_id) {
   return plan;
 }
 
+/// Adds what an event tells to its object.
+struct ToJson {
+  json& object;
+  const std::vector<std::string>& names;
+
+  void addRobot(const char* event, int robot) const {
+    object["event"] = event;
+    object["robot"] = names.at(static_cast<std::size_t>(robot));
+  }
+  void operator()(const event::Started& started) const {
+    object["event"] = "plan";
+    object["plan"] = toJson(*started.plan);
+  }
+  void operator()(const event::Refused& refused) const {
+    object["event"] = "refused";
+    object["reason"] = refused.reason;
+  }
+  void operator()(const event::Abandoned& /*abandoned*/) const { object["event"] = "abandoned"; }
+  void operator()(const event::Released& released) const {
+    addRobot("released", released.robot);
+    object["sequence"] = released.sequence;
+  }
+  void operator()(const event::Accepted& accepted) const {
+    addRobot("accepted", accepted.robot);
+    object["count"] = accepted.count;
+  }
+  void operator()(const event::Done& done) const {
+    addRobot("done", done.robot);
+    object["sequence"] = done.sequence;
+  }
+  void operator()(const event::Condition& event) const {
+    addRobot("condition", event.robot);
+    object["condition"] = toString(event.condition);
+    object["reason"] = event.reason;
+  }
+  void operator()(const event::Lost& lost) const {
+    addRobot("lost", lost.robot);
+    object["reason"] = lost.reason;
+  }
+  void operator()(const event::Mode& mode) const {
+    object["event"] = "mode";
+    object["mode"] = toString(mode.mode);
+    object["reason"] = mode.reason;
+  }
+  void operator()(const event::Phase& phase) const {
+    object["event"] = "phase";
+    object["phase"] = toString(phase.phase);
+  }
+};
+
+int robotOf(const json& object, const std::vector<std::string>& names) {
+  const auto robot = object.at("robot").get<std::string>();
+  const auto found = std::find(names.begin(), names.end(), robot);
+  if (found == names.end()) {
+    throw std::runtime_error("robot '" + robot + "' is not in the experiment");
+  }
+  return static_cast<int>(found - names.begin());
+}
+
+/// The enumerator that toString() calls so.
+template <typename Enumerator>
+Enumerator wordOf(const json& object, const char* key) {
+  const auto word = object.at(key).get<std::string>();
+  for (std::uint8_t value = 0; toString(static_cast<Enumerator>(value)) != "unknown"; ++value) {
+    if (toString(static_cast<Enumerator>(value)) == word) {
+      return static_cast<Enumerator>(value);
+    }
+  }
+  throw std::runtime_error("unknown " + std::string(key) + " '" + word + "'");
+}
+
+using What = sylph::ExecutionEvent::What;
+
+What whatFromJson(const json& object, std::uint32_t plan_id,
+                  const std::vector<std::string>& names) {
+  const auto name = object.at("event").get<std::string>();
+  const auto reason = [&] { return object.at("reason").get<std::string>(); };
+  if (name == "plan") {
+    return event::Started{
+        std::make_shared<const sylph::MissionPlan>(planFromJson(object.at("plan"), plan_id))};
+  }
+  if (name == "refused") {
+    return event::Refused{reason()};
+  }
+  if (name == "abandoned") {
+    return event::Abandoned{};
+  }
+  if (name == "released") {
+    return event::Released{robotOf(object, names), object.at("sequence").get<int>()};
+  }
+  if (name == "accepted") {
+    return event::Accepted{robotOf(object, names), object.at("count").get<int>()};
+  }
+  if (name == "done") {
+    return event::Done{robotOf(object, names), object.at("sequence").get<int>()};
+  }
+  if (name == "condition") {
+    return event::Condition{robotOf(object, names),
+                            wordOf<sylph::RobotCondition>(object, "condition"), reason()};
+  }
+  if (name == "lost") {
+    return event::Lost{robotOf(object, names), reason()};
+  }
+  if (name == "mode") {
+    return event::Mode{wordOf<sylph::ExecutionMode>(object, "mode"), reason()};
+  }
+  if (name == "phase") {
+    return event::Phase{wordOf<sylph::ExecutionPhase>(object, "phase")};
+  }
+  throw std::runtime_error("unknown event '" + name + "'");
+}
+
 }  // namespace
 
 json toJson(const sylph::ExecutionEvent& event, double stamp_s,
             const std::vector<std::string>& names) {
-  const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
-                                 [&](const auto& entry) { return entry.first == event.kind; });
-  json object = {{"stamp", stamp_s}, {"event", kind->second}, {"plan_id", event.plan_id}};
-  if (event.robot >= 0) {
-    object["robot"] = names.at(static_cast<std::size_t>(event.robot));
-  }
-  if (event.kind != Kind::Started && event.kind != Kind::Refused && event.kind != Kind::Abandoned &&
-      event.kind != Kind::Lost) {
-    object["number"] = event.number;
-  }
-  if (!event.text.empty()) {
-    object["text"] = event.text;
-  }
-  if (event.plan) {
-    object["plan"] = toJson(*event.plan);
-  }
+  json object = {{"stamp", stamp_s}, {"plan_id", event.plan_id}};
+  std::visit(ToJson{object, names}, event.what);
   return object;
 }
 
 sylph::ExecutionEvent eventFromJson(const json& object, const std::vector<std::string>& names) {
+  if (object.contains("number")) {
+    throw std::runtime_error(
+        "written by an earlier version of the suite, whose events had a 'number': "
+        "start with a new run folder");
+  }
   try {
-    sylph::ExecutionEvent event;
-    const auto name = object.at("event").get<std::string>();
-    const auto kind = std::find_if(kKinds.begin(), kKinds.end(),
-                                   [&](const auto& entry) { return entry.second == name; });
-    if (kind == kKinds.end()) {
-      throw std::runtime_error("unknown event '" + name + "'");
-    }
-    event.kind = kind->first;
-    event.plan_id = object.at("plan_id").get<std::uint32_t>();
-    if (object.contains("robot")) {
-      const auto robot = object.at("robot").get<std::string>();
-      const auto found = std::find(names.begin(), names.end(), robot);
-      if (found == names.end()) {
-        throw std::runtime_error("robot '" + robot + "' is not in the experiment");
-      }
-      event.robot = static_cast<int>(found - names.begin());
-    }
-    event.number = object.value("number", 0);
-    event.text = object.value("text", std::string());
-    if (event.kind == Kind::Started) {
-      event.plan = std::make_shared<const sylph::MissionPlan>(
-          planFromJson(object.at("plan"), event.plan_id));
-    }
-    return event;
+    const auto plan_id = object.at("plan_id").get<std::uint32_t>();
+    return {plan_id, whatFromJson(object, plan_id, names)};
   } catch (const json::exception& error) {
     throw std::runtime_error(error.what());
   }

@@ -7,12 +7,11 @@
 #include <fstream>
 #include <stdexcept>
 
+#include "sylph_core/adg/explanation.hpp"
 #include "sylph_core/adg/schedule.hpp"
 #include "sylph_core/mapf/metrics.hpp"
 
 namespace sylph_adg_central {
-
-using Kind = sylph::ExecutionEvent::Kind;
 
 void writeResult(const RunResult& result, const std::string& path) {
   YAML::Emitter yaml;
@@ -55,36 +54,28 @@ void writeResult(const RunResult& result, const std::string& path) {
   }
 }
 
-void RunRecord::add(const StampedEvent& event) {
-  switch (event.event.kind) {
-    case Kind::Started:
-      if (event.event.plan->replaces_plan_id == 0) {
-        const RunRecord before = *this;
-        *this = RunRecord();
-        mode_ = before.mode_;
-        min_separation_m_ = before.min_separation_m_;
-        collisions_ = before.collisions_;
-      } else {
-        ++replans_;
-      }
-      planning_s_ += event.event.plan->planning_s;
-      break;
-    case Kind::Released:
-      first_released_s_ = first_released_s_.value_or(event.stamp_s);
-      last_done_s_ = std::max(last_done_s_, *first_released_s_);
-      break;
-    case Kind::Done:
-      last_done_s_ = event.stamp_s;
-      break;
-    case Kind::Mode:
-      if (event.event.number == static_cast<int>(sylph::ExecutionMode::Stop) &&
-          event.event.number != mode_) {
-        ++stops_;
-      }
-      mode_ = event.event.number;
-      break;
-    default:
-      break;
+void RunRecord::add(const StampedEvent& entry) {
+  const auto& what = entry.event.what;
+  if (const auto* started = std::get_if<sylph::event::Started>(&what)) {
+    if (started->plan->replaces_plan_id == 0) {
+      RunRecord begun;
+      begun.mode_ = mode_;
+      begun.min_separation_m_ = min_separation_m_;
+      begun.collisions_ = collisions_;
+      *this = begun;
+    } else {
+      ++replans_;
+    }
+    planning_s_ += started->plan->planning_s;
+  } else if (std::holds_alternative<sylph::event::Released>(what)) {
+    first_released_s_ = first_released_s_.value_or(entry.stamp_s);
+    last_done_s_ = std::max(last_done_s_, *first_released_s_);
+  } else if (std::holds_alternative<sylph::event::Done>(what)) {
+    last_done_s_ = entry.stamp_s;
+  } else if (const auto* mode = std::get_if<sylph::event::Mode>(&what)) {
+    const bool is_stop = mode->mode == sylph::ExecutionMode::Stop && mode->mode != mode_;
+    stops_ += is_stop ? 1 : 0;
+    mode_ = mode->mode;
   }
 }
 
@@ -103,7 +94,7 @@ double RunRecord::elapsed(double stamp_s, bool is_over) const {
 
 RunResult RunRecord::result(const sylph::Execution& execution, double cell_s) const {
   RunResult result;
-  result.robots = execution.missionRobots();
+  result.robots = static_cast<int>(execution.missionGoals().size());
   result.planning_s = planning_s_;
   result.execution_s = elapsed(0.0, true);
   result.min_separation_m = min_separation_m_;
@@ -112,7 +103,7 @@ RunResult RunRecord::result(const sylph::Execution& execution, double cell_s) co
   result.stops = stops_;
   result.collisions = collisions_;
   if (const sylph::MissionPlan* plan = execution.plan()) {
-    result.arrived = execution.arrivedRobots();
+    result.arrived = sylph::arrivedRobots(execution);
     result.planner = plan->planner;
     result.plan_steps = plan->steps();
     sylph::Instance instance;

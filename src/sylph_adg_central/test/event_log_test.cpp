@@ -14,7 +14,7 @@ namespace sylph_adg_central {
 namespace {
 
 using sylph::ExecutionEvent;
-using Kind = sylph::ExecutionEvent::Kind;
+namespace event = sylph::event;
 
 class EventLogTest : public testing::Test {
  protected:
@@ -44,11 +44,7 @@ class EventLogTest : public testing::Test {
     plan->goals = {{0, 1}, {2, 3}};
     plan->plan = {{{0, 0}, {2, 3}}, {{0, 1}, {2, 3}}};
     plan->social = {{{1, 1}, {15.0F, std::numeric_limits<float>::quiet_NaN()}}};
-    ExecutionEvent event;
-    event.kind = Kind::Started;
-    event.plan_id = 7;
-    event.plan = plan;
-    return event;
+    return {7, event::Started{plan}};
   }
 
   std::string path_;
@@ -56,18 +52,34 @@ class EventLogTest : public testing::Test {
 };
 
 TEST_F(EventLogTest, ThereAndBackIsTheIdentity) {
+  const std::vector<ExecutionEvent> written = {
+      planEvent(),
+      {8, event::Refused{"a ring"}},
+      {7, event::Abandoned{}},
+      {7, event::Released{1, 3}},
+      {7, event::Accepted{1, 4}},
+      {7, event::Done{0, 2}},
+      {7, event::Condition{1, sylph::RobotCondition::Blind, "no pose"}},
+      {7, event::Lost{0, "by the operator"}},
+      {7, event::Mode{sylph::ExecutionMode::Stop, "by the operator"}},
+      {7, event::Phase{sylph::ExecutionPhase::AtCut}}};
   {
     EventLog log(path_, names_);
     EXPECT_TRUE(log.past().empty());
-    log.append({1.5, planEvent()});
-    log.append({2.5, {Kind::Released, 7, 1, 3, ""}});
-    log.append({3.5, {Kind::Mode, 7, -1, 2, "by the operator"}});
+    for (const ExecutionEvent& entry : written) {
+      log.append({1.5, entry});
+    }
   }
-  EventLog log(path_, names_);
-  ASSERT_EQ(3u, log.past().size());
-  const sylph::MissionPlan expected = *planEvent().plan;
-  const sylph::MissionPlan& plan = *log.past()[0].event.plan;
-  EXPECT_EQ(1.5, log.past()[0].stamp_s);
+  const EventLog log(path_, names_);
+  ASSERT_EQ(written.size(), log.past().size());
+  for (std::size_t i = 0; i < written.size(); ++i) {
+    EXPECT_EQ(1.5, log.past()[i].stamp_s);
+    EXPECT_EQ(written[i].plan_id, log.past()[i].event.plan_id);
+    ASSERT_EQ(written[i].what.index(), log.past()[i].event.what.index()) << i;
+  }
+  const auto at = [&](std::size_t i) { return log.past()[i].event.what; };
+  const sylph::MissionPlan expected = *std::get<event::Started>(planEvent().what).plan;
+  const sylph::MissionPlan plan = *std::get<event::Started>(at(0)).plan;
   EXPECT_EQ(7u, plan.plan_id);
   EXPECT_EQ(6u, plan.replaces_plan_id);
   EXPECT_EQ("test", plan.planner);
@@ -78,36 +90,59 @@ TEST_F(EventLogTest, ThereAndBackIsTheIdentity) {
   EXPECT_EQ(expected.social[0].partners, plan.social[0].partners);
   EXPECT_EQ(15.0F, plan.social[0].svo_deg[0]);
   EXPECT_TRUE(std::isnan(plan.social[0].svo_deg[1]));
-  const ExecutionEvent& released = log.past()[1].event;
-  EXPECT_EQ(Kind::Released, released.kind);
-  EXPECT_EQ(1, released.robot);
-  EXPECT_EQ(3, released.number);
-  const ExecutionEvent& mode = log.past()[2].event;
-  EXPECT_EQ(-1, mode.robot);
-  EXPECT_EQ("by the operator", mode.text);
+  EXPECT_EQ("a ring", std::get<event::Refused>(at(1)).reason);
+  EXPECT_EQ(1, std::get<event::Released>(at(3)).robot);
+  EXPECT_EQ(3, std::get<event::Released>(at(3)).sequence);
+  EXPECT_EQ(1, std::get<event::Accepted>(at(4)).robot);
+  EXPECT_EQ(4, std::get<event::Accepted>(at(4)).count);
+  EXPECT_EQ(0, std::get<event::Done>(at(5)).robot);
+  EXPECT_EQ(2, std::get<event::Done>(at(5)).sequence);
+  EXPECT_EQ(1, std::get<event::Condition>(at(6)).robot);
+  EXPECT_EQ(sylph::RobotCondition::Blind, std::get<event::Condition>(at(6)).condition);
+  EXPECT_EQ("no pose", std::get<event::Condition>(at(6)).reason);
+  EXPECT_EQ(0, std::get<event::Lost>(at(7)).robot);
+  EXPECT_EQ("by the operator", std::get<event::Lost>(at(7)).reason);
+  EXPECT_EQ(sylph::ExecutionMode::Stop, std::get<event::Mode>(at(8)).mode);
+  EXPECT_EQ("by the operator", std::get<event::Mode>(at(8)).reason);
+  EXPECT_EQ(sylph::ExecutionPhase::AtCut, std::get<event::Phase>(at(9)).phase);
 }
 
 TEST_F(EventLogTest, CutsOffWhatACrashLeftOfTheLastLine) {
   {
     EventLog log(path_, names_);
-    log.append({1.0, {Kind::Released, 1, 0, 0, ""}});
+    log.append({1.0, {1, event::Released{0, 0}}});
   }
   write("{\"stamp\": 2.0, \"eve");
   {
     EventLog log(path_, names_);
     EXPECT_EQ(1u, log.past().size());
-    log.append({3.0, {Kind::Done, 1, 0, 0, ""}});
+    log.append({3.0, {1, event::Done{0, 0}}});
   }
   EXPECT_EQ(2u, EventLog(path_, names_).past().size());
 }
 
 TEST_F(EventLogTest, NamesFileAndLineOfWhatIsWrong) {
-  write("{\"stamp\": 1.0, \"event\": \"done\", \"plan_id\": 1, \"robot\": \"robot_0\"}\n");
+  write(
+      "{\"stamp\": 1.0, \"event\": \"done\", \"plan_id\": 1, \"robot\": \"robot_0\", \"sequence\": "
+      "0}\n");
   write("{\"stamp\": 1.0, \"event\": \"danced\", \"plan_id\": 1}\n");
   EXPECT_EQ(path_ + ":2: unknown event 'danced'", refusal());
   std::filesystem::remove(path_);
   write("{\"stamp\": 1.0, \"event\": \"done\", \"plan_id\": 1, \"robot\": \"robot_9\"}\n");
   EXPECT_EQ(path_ + ":1: robot 'robot_9' is not in the experiment", refusal());
+  std::filesystem::remove(path_);
+  write(
+      "{\"stamp\": 1.0, \"event\": \"mode\", \"plan_id\": 1, \"mode\": \"fly\", \"reason\": "
+      "\"\"}\n");
+  EXPECT_EQ(path_ + ":1: unknown mode 'fly'", refusal());
+  std::filesystem::remove(path_);
+  write(
+      "{\"stamp\": 1.0, \"event\": \"done\", \"plan_id\": 1, \"robot\": \"robot_0\", \"number\": "
+      "0}\n");
+  EXPECT_EQ(path_ +
+                ":1: written by an earlier version of the suite, whose events had a 'number': "
+                "start with a new run folder",
+            refusal());
   std::filesystem::remove(path_);
   write("[1, 2\n");
   EXPECT_EQ(0u, refusal().find(path_ + ":1: "));
@@ -116,30 +151,26 @@ TEST_F(EventLogTest, NamesFileAndLineOfWhatIsWrong) {
 
 TEST(RunRecordTest, SumsUpAMission) {
   RunRecord record;
-  ExecutionEvent started;
-  started.kind = Kind::Started;
   auto plan = std::make_shared<sylph::MissionPlan>();
   plan->planning_s = 0.5;
-  started.plan = plan;
-  record.add({10.0, {Kind::Mode, 0, -1, 2, ""}});
-  record.add({10.0, started});
+  record.add({10.0, {0, event::Mode{sylph::ExecutionMode::Stop, ""}}});
+  record.add({10.0, {1, event::Started{plan}}});
   EXPECT_EQ(0.0, record.elapsed(11.0, false));
-  record.add({12.0, {Kind::Released, 1, 0, 0, ""}});
-  record.add({13.0, {Kind::Released, 1, 0, 1, ""}});
+  record.add({12.0, {1, event::Released{0, 0}}});
+  record.add({13.0, {1, event::Released{0, 1}}});
   EXPECT_EQ(3.0, record.elapsed(15.0, false));
-  record.add({16.0, {Kind::Done, 1, 0, 0, ""}});
+  record.add({16.0, {1, event::Done{0, 0}}});
   EXPECT_EQ(4.0, record.elapsed(99.0, true));
-  record.add({17.0, {Kind::Mode, 1, -1, 0, ""}});
-  record.add({18.0, {Kind::Mode, 1, -1, 2, ""}});
-  record.add({18.5, {Kind::Mode, 1, -1, 2, "again, for another reason"}});
+  record.add({17.0, {1, event::Mode{sylph::ExecutionMode::Run, ""}}});
+  record.add({18.0, {1, event::Mode{sylph::ExecutionMode::Stop, ""}}});
+  record.add({18.5, {1, event::Mode{sylph::ExecutionMode::Stop, "again, for another reason"}}});
   record.addTrackingError(0.003);
   record.addTrackingError(0.002);
   record.addTrackingError(std::numeric_limits<double>::quiet_NaN());
   auto replacement = std::make_shared<sylph::MissionPlan>();
   replacement->planning_s = 0.25;
   replacement->replaces_plan_id = 1;
-  started.plan = replacement;
-  record.add({19.0, started});
+  record.add({19.0, {2, event::Started{replacement}}});
 
   const sylph::Execution nothing({"robot_0"}, 2, 2, 0.3, {});
   const RunResult result = record.result(nothing, 1.2);

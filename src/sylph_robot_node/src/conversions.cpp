@@ -14,19 +14,6 @@ sylph::Pose2d fromMessage(const geometry_msgs::Pose& message) {
           is_rotation ? sylph_ros::yawOf(q) : std::numeric_limits<double>::quiet_NaN()};
 }
 
-std::optional<sylph::ExecutionMode> modeFromMessage(const sylph_msgs::AdgState& message) {
-  switch (message.mode) {
-    case sylph_msgs::AdgState::RUN:
-      return sylph::ExecutionMode::Run;
-    case sylph_msgs::AdgState::PAUSE:
-      return sylph::ExecutionMode::Pause;
-    case sylph_msgs::AdgState::STOP:
-      return sylph::ExecutionMode::Stop;
-    default:
-      return std::nullopt;
-  }
-}
-
 geometry_msgs::Twist toMessage(const sylph::Twist2d& twist_robot) {
   geometry_msgs::Twist message;
   message.linear.x = twist_robot.x_mps;

@@ -10,6 +10,7 @@
 
 #include "sylph_robot_node/conversions.hpp"
 #include "sylph_robot_node/shutdown_request.hpp"
+#include "sylph_ros/state_messages.hpp"
 #include "sylph_ros/task_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -85,7 +86,7 @@ void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
 }
 
 void RobotNode::onAdgState(const sylph_msgs::AdgState& message) {
-  if (const auto mode = modeFromMessage(message)) {
+  if (const auto mode = sylph_ros::modeFromMessage(message)) {
     controller_.onCentralState(*mode, clock_.now());
   } else {
     ROS_WARN_THROTTLE(1.0, "AdgState with mode %d: must be RUN, PAUSE or STOP", message.mode);

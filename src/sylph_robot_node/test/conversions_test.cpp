@@ -27,14 +27,6 @@ TEST(ConversionsTest, APoseWithoutARotationIsNotFinite) {
   EXPECT_FALSE(sylph::isFinite(fromMessage(message)));
 }
 
-TEST(ConversionsTest, ModesOutsideTheMessagesConstantsAreNone) {
-  sylph_msgs::AdgState message;
-  message.mode = sylph_msgs::AdgState::PAUSE;
-  EXPECT_EQ(sylph::ExecutionMode::Pause, modeFromMessage(message));
-  message.mode = 7;
-  EXPECT_FALSE(modeFromMessage(message));
-}
-
 TEST(ConversionsTest, ATwistIsInTheBaseFrame) {
   const geometry_msgs::Twist message = toMessage(sylph::Twist2d{0.1, -0.2, 0.3});
   EXPECT_DOUBLE_EQ(0.1, message.linear.x);

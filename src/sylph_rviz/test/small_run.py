@@ -89,10 +89,10 @@ def events():
     yield {"stamp": START_S, "event": "plan", "plan_id": 1, "plan": {"robots": ROBOTS}}
     for second in range(3):
         for name in ROBOTS:
-            task = {"plan_id": 1, "robot": name, "number": second}
+            task = {"plan_id": 1, "robot": name, "sequence": second}
             yield {"stamp": START_S + second, "event": "released", **task}
             yield {"stamp": START_S + second + 1.0, "event": "done", **task}
-    yield {"stamp": START_S + 3.0, "event": "mode", "plan_id": 1, "number": 2, "text": "by the user"}
+    yield {"stamp": START_S + 3.0, "event": "mode", "plan_id": 1, "mode": "stop", "reason": "by the user"}
 
 
 def write_folder(folder):

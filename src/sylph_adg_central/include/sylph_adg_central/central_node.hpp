@@ -35,6 +35,8 @@ class CentralNode {
   CentralNode& operator=(const CentralNode&) = delete;
 
  private:
+  struct Follow;  ///< what each event is followed by here
+
   void subscribe();
   void advertiseServices();
   void rebuild();
@@ -51,7 +53,6 @@ class CentralNode {
 
   /// Logs what has happened, then sends what follows from it.
   void flush();
-  void onEvent(const sylph::ExecutionEvent& event);
   void publishState();
   void saveResult();
   void reportDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status);

@@ -36,7 +36,7 @@ void writeResult(const RunResult& result, const std::string& path);
 /// Sums up a mission from what happens, and from what happened before a restart.
 class RunRecord {
  public:
-  void add(const StampedEvent& event);
+  void add(const StampedEvent& entry);
   void addTrackingError(double error_m);
   void setMinSeparation(double separation_m) { min_separation_m_ = separation_m; }
   void setCollisions(std::uint32_t collisions) { collisions_ = collisions; }
@@ -53,7 +53,7 @@ class RunRecord {
   double planning_s_ = 0.0;
   int replans_ = 0;
   int stops_ = 0;
-  int mode_ = 0;
+  sylph::ExecutionMode mode_ = sylph::ExecutionMode::Run;
   double max_tracking_error_m_ = 0.0;
   std::optional<double> min_separation_m_;
   std::optional<std::uint32_t> collisions_;

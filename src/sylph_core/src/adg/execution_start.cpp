@@ -1,23 +1,11 @@
-// How a plan starts: what it has to fulfil, and what it is waited for.
+// How a plan begins: when it comes, and when the event log brings it back.
 #include <algorithm>
-#include <cmath>
-#include <cstdio>
-#include <numeric>
-#include <set>
+#include <stdexcept>
 
 #include "sylph_core/adg/execution.hpp"
-#include "sylph_core/mapf/check_plan.hpp"
 
 namespace sylph {
 namespace {
-
-using Kind = ExecutionEvent::Kind;
-
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3f m", value);
-  return text;
-}
 
 /// A cell outside every map, for a robot that takes no part and stands where it stands.
 Cell nowhere(int robot) {
@@ -25,6 +13,27 @@ Cell nowhere(int robot) {
 }
 
 }  // namespace
+
+bool Execution::isNew(std::uint32_t plan_id) const {
+  // After a restart a plan may be pending of which only the id is known.
+  return plan_id > plan_id_ || (plan_id == plan_id_ && phase_ == ExecutionPhase::Pending &&
+                                admission_.pending() == nullptr);
+}
+
+void Execution::refuse(std::uint32_t plan_id, const std::string& reason) {
+  if (isNew(plan_id)) {
+    setRefused(plan_id, reason);
+  }
+}
+
+void Execution::setRefused(std::uint32_t plan_id, const std::string& reason) {
+  admission_.withdraw();
+  plan_id_ = plan_id;
+  last_plan_id_ = std::max(last_plan_id_, plan_id);
+  refusal_ = "plan " + std::to_string(plan_id) + ": " + reason;
+  phase_ = ExecutionPhase::Refused;
+  log(event::Refused{refusal_});
+}
 
 void Execution::submit(MissionPlan plan, double now_s) {
   const std::uint32_t plan_id = plan.plan_id;
@@ -39,152 +48,42 @@ void Execution::submit(MissionPlan plan, double now_s) {
   if (plan.replaces_plan_id == 0) {
     makeRoomFor(plan_id);
   }
-  if (const auto fault = faultOf(plan)) {
+  if (const auto fault = admission_.propose(std::move(plan), present(), now_s)) {
     setRefused(plan_id, *fault);
     return;
   }
-  pending_ = std::make_shared<const MissionPlan>(std::move(plan));
-  pending_until_s_ = now_s + limits_.start_wait_s;
   tryStart(now_s);
   advance();
 }
 
 void Execution::makeRoomFor(std::uint32_t plan_id) {
+  admission_.withdraw();
   refusal_.clear();
   plan_id_ = plan_id;
   last_plan_id_ = plan_id;
   if (graph_ && !is_abandoned_) {
     is_abandoned_ = true;
-    log({Kind::Abandoned, plan_->plan_id, -1, 0, "a new mission takes its place"});
+    logOfPlan(event::Abandoned{});
   }
   setPhase(ExecutionPhase::Pending);
 }
 
 void Execution::tryStart(double now_s) {
-  if (!pending_) {
+  using Verdict = PlanAdmission::Decision::Verdict;
+  if (admission_.pending() == nullptr) {
     return;
   }
-  const std::uint32_t plan_id = pending_->plan_id;
-  if (const auto wait = reasonToWait(now_s)) {
-    if (now_s > pending_until_s_) {
-      setRefused(plan_id, *wait);
-    }
-    return;
-  }
-  if (const auto fault = reasonNotAtStart(*pending_)) {
-    setRefused(plan_id, *fault);
-    return;
-  }
-  try {
-    load(std::exchange(pending_, nullptr));
-  } catch (const PlanRefused& refused) {
-    setRefused(plan_id, refused.what());
-  }
-}
-
-std::optional<std::string> Execution::faultOf(const MissionPlan& plan) const {
-  std::set<std::string> members;
-  for (const std::string& robot : plan.robots) {
-    const std::optional<int> known = indexOf(robot);
-    if (!known) {
-      return "robot '" + robot + "' is not in the lab";
-    }
-    if (!members.insert(robot).second) {
-      return robot + " appears twice";
-    }
-    if (plan.replaces_plan_id != 0 && robots_[index(*known)].monitor.isLost()) {
-      return robot + " is lost and cannot take part";
+  const std::uint32_t plan_id = admission_.pending()->plan_id;
+  const PlanAdmission::Decision decision = admission_.decide(present(), now_s);
+  if (decision.verdict == Verdict::Refuse) {
+    setRefused(plan_id, decision.reason);
+  } else if (decision.verdict == Verdict::Start) {
+    try {
+      load(admission_.takePending());
+    } catch (const PlanRefused& refused) {
+      setRefused(plan_id, refused.what());
     }
   }
-  if (plan.first_step != 0) {
-    return "it begins at timestep " + std::to_string(plan.first_step) + ": must be 0";
-  }
-  if (plan.plan.empty() || plan.goals.size() != plan.robots.size() ||
-      plan.social.size() != plan.steps()) {
-    return "it is not complete";
-  }
-  if (plan.replaces_plan_id != 0) {
-    if (!plan_ || plan.replaces_plan_id != plan_->plan_id) {
-      return "it replaces plan " + std::to_string(plan.replaces_plan_id) + ", but plan " +
-             std::to_string(plan_ ? plan_->plan_id : 0) + " is carried out";
-    }
-    if (!is_cut_) {
-      return "it replaces a plan that is not cut: no robot has been declared lost";
-    }
-  }
-  // The graph names robots, so it goes first; the independent checker has the last word.
-  try {
-    const ActionDependencyGraph graph(plan.plan, plan.robots);
-  } catch (const PlanRefused& refused) {
-    return refused.what();
-  }
-  const auto violation =
-      checkPlan({Grid(rows_, cols_), plan.plan.front(), plan.goals, MotionModel{false}}, plan.plan);
-  return violation ? std::make_optional(violation->message) : std::nullopt;
-}
-
-std::optional<std::string> Execution::reasonToWait(double now_s) const {
-  for (int robot = 0; robot < robotCount(); ++robot) {
-    if (!robots_[index(robot)].monitor.isLost() && hasReleased(robot)) {
-      return name(robot) + " has not finished the tasks of plan " + std::to_string(plan_->plan_id) +
-             " that it has";
-    }
-  }
-  for (const std::string& member : pending_->robots) {
-    const RobotMonitor& robot = robots_[index(*indexOf(member))].monitor;
-    if (!robot.isHeard(now_s)) {
-      return member + " does not report";
-    }
-    const RobotReport& report = *robot.report();
-    if (report.state == RobotState::Blind || !report.pose) {
-      return member + " has no good pose" +
-             (report.detail.empty() ? std::string() : ": " + report.detail);
-    }
-    if (report.state == RobotState::Moving) {
-      return member + " still moves";
-    }
-    if (plan_ && report.plan_id == plan_->plan_id && report.done < report.accepted) {
-      return member + " has not finished the tasks of plan " + std::to_string(plan_->plan_id);
-    }
-  }
-  return std::nullopt;
-}
-
-std::optional<std::string> Execution::reasonNotAtStart(const MissionPlan& plan) const {
-  std::set<int> members;
-  for (std::size_t agent = 0; agent < plan.robots.size(); ++agent) {
-    const int robot = *indexOf(plan.robots[agent]);
-    members.insert(robot);
-    const Point place = position(robots_[index(robot)].monitor.report()->pose.value());
-    const Cell start = plan.plan.front()[agent];
-    const Cell cell = frame_.toCell(place);
-    if (cell != start) {
-      return "it starts " + name(robot) + " in " + toString(start) + ", but the robot is in " +
-             toString(cell);
-    }
-    const Point center = frame_.toPoint(start);
-    const double offset_m = std::max(std::abs(place.x - center.x), std::abs(place.y - center.y));
-    if (offset_m > limits_.start_offset_m) {
-      return name(robot) + " stands " + metres(offset_m) + " off the centre of its start " +
-             toString(start) + ": at most " + metres(limits_.start_offset_m) + " are allowed";
-    }
-  }
-  std::set<Cell> visited;
-  for (const Configuration& cells : plan.plan) {
-    visited.insert(cells.begin(), cells.end());
-  }
-  for (int robot = 0; robot < robotCount(); ++robot) {
-    const std::optional<RobotReport>& report = robots_[index(robot)].monitor.report();
-    if (members.count(robot) > 0 || !report || !report->pose) {
-      continue;
-    }
-    const Cell cell = frame_.toCell(position(*report->pose));
-    if (visited.count(cell) > 0) {
-      return "it leads through " + toString(cell) + ", where " + name(robot) +
-             " stands, which takes no part";
-    }
-  }
-  return std::nullopt;
 }
 
 void Execution::load(std::shared_ptr<const MissionPlan> plan) {
@@ -202,26 +101,19 @@ void Execution::load(std::shared_ptr<const MissionPlan> plan) {
   is_cut_ = false;
   is_abandoned_ = false;
   refusal_.clear();
-  for (Robot& robot : robots_) {
-    robot.accepted = 0;
-    robot.sent_s.clear();
-    robot.waits_since_s.reset();
+  for (Delivery& delivery : deliveries_) {
+    delivery = {delivery.first_sequence, 0, {}, {}};
   }
-  ExecutionEvent event;
-  event.kind = Kind::Started;
-  event.plan_id = plan_id_;
-  event.plan = plan_;
-  log(std::move(event));
+  log(event::Started{plan_});
   setPhase(ExecutionPhase::Executing);
 }
 
 void Execution::loadMission(const MissionPlan& plan) {
-  Plan whole(plan.plan.size(), Configuration(names_.size()));
-  for (Configuration& cells : whole) {
-    for (int robot = 0; robot < robotCount(); ++robot) {
-      cells[index(robot)] = nowhere(robot);
-    }
+  Configuration standing;
+  for (int robot = 0; robot < robotCount(); ++robot) {
+    standing.push_back(nowhere(robot));
   }
+  Plan whole(plan.plan.size(), standing);
   for (std::size_t t = 0; t < whole.size(); ++t) {
     for (std::size_t agent = 0; agent < plan.robots.size(); ++agent) {
       whole[t][index(indexOf(plan.robots[agent]).value())] = plan.plan[t].at(agent);
@@ -232,10 +124,10 @@ void Execution::loadMission(const MissionPlan& plan) {
   for (std::size_t agent = 0; agent < plan.robots.size(); ++agent) {
     const int robot = indexOf(plan.robots[agent]).value();
     mission_goals_[robot] = plan.goals.at(agent);
-    robots_[index(robot)].monitor.rejoin();
+    monitors_[index(robot)].rejoin();
   }
-  for (Robot& robot : robots_) {
-    robot.first_sequence = 0;
+  for (Delivery& delivery : deliveries_) {
+    delivery.first_sequence = 0;
   }
 }
 
@@ -253,8 +145,51 @@ void Execution::loadReplacement(const MissionPlan& plan) {
   }
   graph_->replaceRest(cut, agents, plan.plan);
   for (int robot = 0; robot < robotCount(); ++robot) {
-    robots_[index(robot)].first_sequence = cut[index(robot)];
+    deliveries_[index(robot)].first_sequence = cut[index(robot)];
   }
+}
+
+/// What each event leaves behind.
+struct Execution::Replay {
+  Execution& execution;
+  std::uint32_t plan_id;
+
+  void operator()(const event::Started& started) const { execution.load(started.plan); }
+  void operator()(const event::Refused& refused) const {
+    execution.plan_id_ = plan_id;
+    execution.refusal_ = refused.reason;
+    execution.phase_ = ExecutionPhase::Refused;
+  }
+  void operator()(const event::Abandoned& /*abandoned*/) const { execution.is_abandoned_ = true; }
+  void operator()(const event::Released& released) const {
+    const TaskId task = execution.taskOf(released.robot, released.sequence);
+    execution.graph_->enqueue(task);
+  }
+  void operator()(const event::Done& done) const {
+    const TaskId task = execution.taskOf(done.robot, done.sequence);
+    execution.graph_->complete(task);
+  }
+  void operator()(const event::Lost& lost) const {
+    execution.monitors_.at(index(lost.robot)).setLost();
+  }
+  void operator()(const event::Mode& mode) const {
+    execution.mode_ = mode.mode;
+    execution.mode_reason_ = mode.mode == ExecutionMode::Run ? std::string() : mode.reason;
+  }
+  void operator()(const event::Phase& phase) const {
+    execution.plan_id_ = plan_id;
+    execution.phase_ = phase.phase;
+    execution.is_cut_ = execution.is_cut_ || phase.phase == ExecutionPhase::Cutting;
+  }
+  // Robots tell these themselves.
+  void operator()(const event::Accepted& /*accepted*/) const {}
+  void operator()(const event::Condition& /*condition*/) const {}
+};
+
+void Execution::replay(const ExecutionEvent& event) {
+  last_plan_id_ = std::max(last_plan_id_, event.plan_id);
+  std::visit(Replay{*this, event.plan_id}, event.what);
+  events_.clear();
 }
 
 }  // namespace sylph

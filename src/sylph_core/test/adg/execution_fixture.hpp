@@ -11,11 +11,9 @@
 #include <utility>
 #include <vector>
 
-#include "sylph_core/adg/execution.hpp"
+#include "sylph_core/adg/explanation.hpp"
 
 namespace sylph::test {
-
-using Kind = ExecutionEvent::Kind;
 
 inline constexpr int kRows = 5;
 inline constexpr int kCols = 6;
@@ -159,10 +157,14 @@ class ExecutionTest : public testing::Test {
     return execution_->phase() == phase;
   }
 
-  int count(Kind kind) const {
-    return static_cast<int>(std::count_if(log_.begin(), log_.end(),
-                                          [&](const auto& event) { return event.kind == kind; }));
+  template <typename Event>
+  int count() const {
+    return static_cast<int>(std::count_if(log_.begin(), log_.end(), [](const auto& entry) {
+      return std::holds_alternative<Event>(entry.what);
+    }));
   }
+
+  RobotExecution view(int robot) const { return explain(*execution_, robot, now_s_); }
 
   void submit(const Plan& plan, std::uint32_t plan_id, std::uint32_t replaces_plan_id = 0,
               std::vector<std::string> robots = {}) {

@@ -13,7 +13,6 @@ namespace {
 using test::ExecutionTest;
 using test::kCellSize;
 using test::kCols;
-using test::Kind;
 using test::kRows;
 using test::missionPlan;
 using test::Robot;
@@ -29,9 +28,9 @@ TEST_F(ExecutionTest, CarriesAPlanOut) {
   submit(queue(), 1);
   EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
-  EXPECT_EQ(3, execution_->arrivedRobots());
-  EXPECT_EQ(6, count(Kind::Released));
-  EXPECT_EQ(6, count(Kind::Done));
+  EXPECT_EQ(3, arrivedRobots(*execution_));
+  EXPECT_EQ(6, count<event::Released>());
+  EXPECT_EQ(6, count<event::Done>());
   for (const Robot& robot : robots_) {
     EXPECT_EQ((std::vector<int>{0, 1}), robot.carried_out);
   }
@@ -41,7 +40,7 @@ TEST_F(ExecutionTest, APlanInWhichNobodyMovesIsFinishedAtOnce) {
   place(queue().front());
   submit({queue().front()}, 1);
   EXPECT_EQ(ExecutionPhase::Finished, execution_->phase());
-  EXPECT_EQ(3, execution_->arrivedRobots());
+  EXPECT_EQ(3, arrivedRobots(*execution_));
 }
 
 TEST_F(ExecutionTest, ShowsWhoWaitsForWhomAndWhy) {
@@ -51,18 +50,18 @@ TEST_F(ExecutionTest, ShowsWhoWaitsForWhomAndWhy) {
   execution_->tick(now_s_);
   const double since_s = now_s_;
   now_s_ += 0.5;
-  const RobotView view = execution_->view(0, now_s_);
-  EXPECT_EQ("robot_1", view.waits_for_robot);
-  EXPECT_EQ((Cell{0, 1}), view.waits_for_cell);
-  EXPECT_NEAR(now_s_ - since_s, view.waited_s, 1e-9);
-  EXPECT_EQ("robot_2", view.root_cause_robot);
-  EXPECT_EQ("is on its way from (0,2) to (0,3)", view.root_cause);
-  EXPECT_EQ((std::vector<Cell>{{0, 0}}), view.held_cells);
-  EXPECT_EQ((std::vector<Cell>{{0, 0}, {0, 1}, {0, 2}}), view.remaining_path);
-  EXPECT_EQ((Cell{0, 2}), view.goal);
-  EXPECT_TRUE(view.partner.empty());
-  EXPECT_EQ("robot_1", execution_->view(2, now_s_).partner);
-  EXPECT_EQ(10.0F, execution_->view(2, now_s_).svo_deg);
+  const RobotExecution waiting = view(0);
+  EXPECT_EQ("robot_1", waiting.waits_for_robot);
+  EXPECT_EQ((Cell{0, 1}), waiting.waits_for_cell);
+  EXPECT_NEAR(now_s_ - since_s, waiting.waited_s, 1e-9);
+  EXPECT_EQ("robot_2", waiting.root_cause_robot);
+  EXPECT_EQ("is on its way from (0,2) to (0,3)", waiting.root_cause);
+  EXPECT_EQ((std::vector<Cell>{{0, 0}}), waiting.held_cells);
+  EXPECT_EQ((std::vector<Cell>{{0, 0}, {0, 1}, {0, 2}}), waiting.remaining_path);
+  EXPECT_EQ((Cell{0, 2}), waiting.goal);
+  EXPECT_TRUE(waiting.partner.empty());
+  EXPECT_EQ("robot_1", view(2).partner);
+  EXPECT_EQ(10.0F, view(2).svo_deg);
 }
 
 TEST_F(ExecutionTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
@@ -200,7 +199,7 @@ TEST_F(ExecutionTest, PauseReleasesNothingAndResumeGoesOn) {
   EXPECT_EQ(1, robots_[2].done) << "it finishes what it has";
   EXPECT_EQ(0, robots_[1].done);
   EXPECT_EQ("by the operator", execution_->message());
-  EXPECT_EQ("pause: by the operator", execution_->view(2, now_s_).root_cause);
+  EXPECT_EQ("pause: by the operator", view(2).root_cause);
   execution_->setMode(ExecutionMode::Run, "by the operator");
   EXPECT_TRUE(stepUntil(ExecutionPhase::Finished));
 }
@@ -222,15 +221,15 @@ TEST_F(ExecutionTest, NoticesSilenceBlindnessAndStandstill) {
   }
   EXPECT_EQ(RobotCondition::Stuck, conditionOf(2));
   EXPECT_EQ(RobotCondition::Ok, conditionOf(0)) << "who waits for others is not stuck";
-  EXPECT_EQ("robot_2", execution_->view(0, now_s_).root_cause_robot);
-  EXPECT_EQ(0u, execution_->view(0, now_s_).root_cause.find("no progress for "));
+  EXPECT_EQ("robot_2", view(0).root_cause_robot);
+  EXPECT_EQ(0u, view(0).root_cause.find("no progress for "));
   RobotReport blind = robots_[2].report(now_s_);
   blind.state = RobotState::Blind;
   blind.detail = "pose 0.3 s old";
   execution_->report(2, blind, now_s_);
   execution_->tick(now_s_);
   EXPECT_EQ(RobotCondition::Blind, conditionOf(2));
-  EXPECT_EQ("no good pose: pose 0.3 s old", execution_->view(0, now_s_).root_cause);
+  EXPECT_EQ("no good pose: pose 0.3 s old", view(0).root_cause);
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
   EXPECT_EQ(RobotCondition::Ok, conditionOf(2));
 }
@@ -252,25 +251,25 @@ TEST_F(ExecutionTest, ALostRobotIsPlannedAround) {
   submit(queue(), 1);
   execution_->declareLost(2, "declared by the operator");
   ASSERT_TRUE(stepUntil(ExecutionPhase::AtCut, {2}));
-  EXPECT_EQ((Cell{0, 0}), execution_->view(0, now_s_).cell);
-  EXPECT_EQ((Cell{0, 1}), execution_->view(1, now_s_).cell);
+  EXPECT_EQ((Cell{0, 0}), view(0).cell);
+  EXPECT_EQ((Cell{0, 1}), view(1).cell);
   // It has two tasks ahead, so it may be in any of three cells.
   const std::vector<Cell> held = {{0, 2}, {0, 3}, {0, 4}};
-  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells);
+  EXPECT_EQ(held, view(2).held_cells);
 
   submit({{{0, 0}, {0, 1}}, {{0, 0}, {0, 2}}}, 2, 1, {"robot_0", "robot_1"});
   EXPECT_EQ(ExecutionPhase::Refused, execution_->phase()) << "it enters a cell that is held";
   submit({{{0, 0}, {0, 1}}, {{0, 0}, {1, 1}}, {{0, 1}, {1, 2}}}, 3, 1, {"robot_0", "robot_1"});
   EXPECT_EQ(ExecutionPhase::Executing, execution_->phase()) << execution_->message();
-  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells);
+  EXPECT_EQ(held, view(2).held_cells);
   report(2);
-  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells) << "what it says of plan 1 is over";
+  EXPECT_EQ(held, view(2).held_cells) << "what it says of plan 1 is over";
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished, {2}));
-  EXPECT_EQ(held, execution_->view(2, now_s_).held_cells);
-  EXPECT_EQ((Cell{0, 1}), execution_->view(0, now_s_).cell);
-  EXPECT_EQ((Cell{1, 2}), execution_->view(1, now_s_).cell);
-  EXPECT_EQ(3, execution_->missionRobots());
-  EXPECT_EQ(0, execution_->arrivedRobots()) << "nobody is where the mission wanted it";
+  EXPECT_EQ(held, view(2).held_cells);
+  EXPECT_EQ((Cell{0, 1}), view(0).cell);
+  EXPECT_EQ((Cell{1, 2}), view(1).cell);
+  EXPECT_EQ(3, static_cast<int>(execution_->missionGoals().size()));
+  EXPECT_EQ(0, arrivedRobots(*execution_)) << "nobody is where the mission wanted it";
 }
 
 TEST_F(ExecutionTest, OthersGoOnWhereALostRobotIsInNobodysWay) {
@@ -278,7 +277,7 @@ TEST_F(ExecutionTest, OthersGoOnWhereALostRobotIsInNobodysWay) {
   submit(queue(), 1);
   execution_->declareLost(0, "declared by the operator");
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished, {0}));
-  EXPECT_EQ(2, execution_->arrivedRobots());
+  EXPECT_EQ(2, arrivedRobots(*execution_));
 }
 
 TEST_F(ExecutionTest, LongTroubleMakesARobotLostIfAskedFor) {
@@ -310,8 +309,43 @@ TEST_F(ExecutionTest, ANewMissionWaitsUntilRobotsRest) {
   EXPECT_EQ(ExecutionPhase::Pending, execution_->phase()) << "robot 2 has tasks of plan 1";
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
   EXPECT_EQ(2u, execution_->planId());
-  EXPECT_EQ((Cell{1, 4}), execution_->view(2, now_s_).cell);
+  EXPECT_EQ((Cell{1, 4}), view(2).cell);
   EXPECT_EQ(0, robots_[1].done) << "plan 1 was given up";
+}
+
+TEST_F(ExecutionTest, WhatIsKnownOrOlderChangesNothing) {
+  place(queue().front());
+  submit(queue(), 2);
+  step();
+  const auto before = execution_->graph()->configuration();
+  submit(queue(), 2);
+  submit(queue(), 1);
+  execution_->refuse(2, "malformed");
+  execution_->refuse(1, "malformed");
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
+  EXPECT_EQ(2u, execution_->planId());
+  EXPECT_EQ(before, execution_->graph()->configuration());
+}
+
+TEST_F(ExecutionTest, APendingPlanIsTakenAgainAfterARestart) {
+  submit(queue(), 1);
+  EXPECT_EQ(ExecutionPhase::Pending, execution_->phase());
+  restart();
+  for (const ExecutionEvent& event : log_) {
+    execution_->replay(event);
+  }
+  EXPECT_EQ(ExecutionPhase::Pending, execution_->phase());
+  submit(queue(), 1);
+  place(queue().front());
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase()) << execution_->message();
+}
+
+TEST_F(ExecutionTest, RefusesAPlanThatExtendsAnother) {
+  place(queue().front());
+  MissionPlan plan = missionPlan(queue(), names_, 1);
+  plan.first_step = 3;
+  execution_->submit(plan, now_s_);
+  EXPECT_EQ("plan 1: it begins at timestep 3: must be 0", execution_->message());
 }
 
 TEST_F(ExecutionTest, ALogReplaysIntoTheSameState) {
@@ -340,12 +374,8 @@ TEST_F(ExecutionTest, ALogReplaysIntoTheSameState) {
 }
 
 TEST_F(ExecutionTest, ReplayRefusesWhatCannotHaveHappened) {
-  ExecutionEvent event;
-  event.kind = Kind::Done;
-  event.robot = 0;
-  EXPECT_THROW(execution_->replay(event), std::invalid_argument);
-  event.kind = Kind::Started;
-  EXPECT_THROW(execution_->replay(event), std::invalid_argument);
+  EXPECT_THROW(execution_->replay({1, event::Done{0, 0}}), std::invalid_argument);
+  EXPECT_THROW(execution_->replay({1, event::Started{nullptr}}), std::invalid_argument);
 }
 
 /// Random missions over a bad line, with restarts of both ends.

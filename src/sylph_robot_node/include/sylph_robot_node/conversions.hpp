@@ -2,20 +2,13 @@
 
 #include <geometry_msgs/PoseStamped.h>
 #include <geometry_msgs/Twist.h>
-#include <sylph_msgs/AdgState.h>
 
-#include <optional>
-
-#include "sylph_core/execution/states.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph_robot_node {
 
 /// Position and yaw; the yaw is not a number unless the quaternion is of unit length (0.9 ... 1.1).
 sylph::Pose2d fromMessage(const geometry_msgs::Pose& message);
-
-/// Nothing if the number is no mode.
-std::optional<sylph::ExecutionMode> modeFromMessage(const sylph_msgs::AdgState& message);
 
 geometry_msgs::Twist toMessage(const sylph::Twist2d& twist_robot);
 

@@ -81,8 +81,6 @@ def _cause_table(run):
 
 # Events of each single task are in the figures.
 TOLD_EVENTS = ("plan", "refused", "abandoned", "condition", "lost", "mode")
-MODES = ("run", "pause", "stop")
-CONDITIONS = ("ok", "silent", "stuck", "blind", "lost")
 
 
 def _event_table(run):
@@ -93,7 +91,7 @@ def _event_table(run):
     rows = "".join(
         f'<tr><td class="number">{event["stamp"] - first_s:.1f}</td>'
         f"<td>{html.escape(_event_words(event))}</td>"
-        f'<td>{html.escape(str(event.get("text", "")))}</td></tr>\n'
+        f'<td>{html.escape(str(event.get("reason", "")))}</td></tr>\n'
         for event in told
     )
     return f'<h2>Events</h2>\n<table><tr><th class="number">[s]</th></tr>\n{rows}</table>'
@@ -101,11 +99,10 @@ def _event_table(run):
 
 def _event_words(event):
     kind = event["event"]
-    number = event.get("number", -1)
     if kind == "plan":
         return f'plan {event.get("plan_id")}'
-    if kind == "mode" and 0 <= number < len(MODES):
-        return f"mode {MODES[number]}"
-    if kind == "condition" and 0 <= number < len(CONDITIONS):
-        return f'{event.get("robot")} {CONDITIONS[number]}'
+    if kind == "mode":
+        return f'mode {event.get("mode")}'
+    if kind == "condition":
+        return f'{event.get("robot")} {event.get("condition")}'
     return f'{kind} {event.get("robot", "")}'

@@ -8,16 +8,16 @@
 
 #include "sylph_core/adg/action_dependency_graph.hpp"
 #include "sylph_core/adg/execution_limits.hpp"
+#include "sylph_core/adg/plan_admission.hpp"
 #include "sylph_core/adg/robot_monitor.hpp"
 #include "sylph_core/execution/execution_event.hpp"
-#include "sylph_core/execution/robot_view.hpp"
 #include "sylph_core/execution/task_order.hpp"
-#include "sylph_core/grid/cell_frame.hpp"
 
 namespace sylph {
 
 /// Carries a plan out: decides which task goes to which robot when, whatever is lost, late or
-/// doubled on the way, and what to do about robots that fail.
+/// doubled on the way, and what to do about robots that fail. Whether a plan may start is decided
+/// by PlanAdmission; what is known of it all is told by explain().
 ///
 /// Values in, values out: the caller passes what arrives and the time, then takes the events, which
 /// it has to log before it sends the orders, so that a restart never forgets a task that a robot
@@ -56,73 +56,84 @@ class Execution {
 
   ExecutionPhase phase() const { return phase_; }
   ExecutionMode mode() const { return mode_; }
+  const std::string& modeReason() const { return mode_reason_; }
   /// Why the plan was refused, or why robots pause or stop.
-  std::string message() const { return refusal_.empty() ? mode_reason_ : refusal_; }
-  /// The plan that is received, carried out, or was refused last; 0: none yet.
+  const std::string& message() const { return refusal_.empty() ? mode_reason_ : refusal_; }
+  /// The plan that is pending, carried out, or was refused last; 0: none yet.
   std::uint32_t planId() const { return plan_id_; }
   /// The largest plan id in plans and reports: a new plan's has to be greater.
   std::uint32_t lastPlanId() const { return last_plan_id_; }
+  /// Whether no more is released before a replacement plan starts.
+  bool isCut() const { return is_cut_; }
+  /// Whether a plan is carried out, be it on the way to the cut or there.
+  bool isUnderWay() const;
+
   /// Nothing before the first plan.
   const MissionPlan* plan() const { return plan_.get(); }
+  /// Its agents are the robots of the lab, all of them; nothing before the first plan.
   const ActionDependencyGraph* graph() const { return graph_ ? &*graph_ : nullptr; }
+  /// Robots of the mission, lost ones included, and where it wants them.
+  const std::map<int, Cell>& missionGoals() const { return mission_goals_; }
 
-  int robotCount() const { return static_cast<int>(robots_.size()); }
+  int robotCount() const { return static_cast<int>(names_.size()); }
   const std::string& name(int robot) const { return names_.at(index(robot)); }
   std::optional<int> indexOf(const std::string& name) const;
-  const RobotMonitor& monitor(int robot) const { return robots_.at(index(robot)).monitor; }
-  RobotView view(int robot, double now_s) const;
-  /// Robots of the mission, lost ones included, and those of them that are where it sends them.
-  int missionRobots() const { return static_cast<int>(mission_goals_.size()); }
-  int arrivedRobots() const;
+  const CellFrame& frame() const { return frame_; }
+  const RobotMonitor& monitor(int robot) const { return monitors_.at(index(robot)); }
+  /// Where this plan's tasks begin in the graph's counting.
+  int firstSequence(int robot) const { return deliveries_.at(index(robot)).first_sequence; }
+  /// Since when the robot waits for another one's task, as of the last tick().
+  std::optional<double> waitsSince(int robot) const { return deliveries_.at(index(robot)).waits_s; }
 
  private:
-  struct Robot {
-    RobotMonitor monitor;
-    int first_sequence = 0;                     ///< of this plan's tasks, in the graph's counting
-    int accepted = 0;                           ///< tasks of this plan that it has without a gap
-    std::vector<std::optional<double>> sent_s;  ///< per task of this plan, when it was sent last
-    std::optional<double> waits_since_s;
+  /// How far this plan's tasks are on their way to a robot.
+  struct Delivery {
+    int first_sequence = 0;
+    int accepted = 0;                           ///< tasks that it has without a gap
+    std::vector<std::optional<double>> sent_s;  ///< per task, when it was sent last
+    std::optional<double> waits_s;
   };
+  struct Replay;
 
   static std::size_t index(int robot) { return static_cast<std::size_t>(robot); }
-  void log(ExecutionEvent event) { events_.push_back(std::move(event)); }
+  template <typename Event>
+  void log(Event event) {
+    events_.emplace_back(plan_id_, std::move(event));
+  }
+  template <typename Event>
+  void logOfPlan(Event event) {
+    events_.emplace_back(plan_->plan_id, std::move(event));
+  }
   void setPhase(ExecutionPhase phase);
-  void advance();
 
   bool isNew(std::uint32_t plan_id) const;
-  void setRefused(std::uint32_t plan_id, const std::string& reason);
-
-  // Starting a plan: execution_start.cpp
   void makeRoomFor(std::uint32_t plan_id);
+  void setRefused(std::uint32_t plan_id, const std::string& reason);
+  PresentExecution present() const { return {plan_.get(), graph(), is_cut_, monitors_}; }
   void tryStart(double now_s);
-  std::optional<std::string> faultOf(const MissionPlan& plan) const;
-  std::optional<std::string> reasonToWait(double now_s) const;
-  std::optional<std::string> reasonNotAtStart(const MissionPlan& plan) const;
   void load(std::shared_ptr<const MissionPlan> plan);
   void loadMission(const MissionPlan& plan);
   void loadReplacement(const MissionPlan& plan);
 
   void takeCounts(int robot, const RobotReport& report, double now_s);
-  TaskId taskOf(const ExecutionEvent& event) const;
   void updateConditions(double now_s);
   void updateWaits(double now_s);
+  /// Releases what may be released and moves the phase on.
+  void advance();
+  void release(const std::vector<AgentId>& lost);
   std::vector<AgentId> lostRobots() const;
-  bool isUnderWay() const;
   /// Whether a task was released to the robot and is not done.
   bool hasReleased(int robot) const;
   /// Tasks of this plan that were released to the robot, done or not.
   int releasedCount(int robot) const;
-  void fillTask(int robot, RobotView& view) const;
-  void fillSocialState(int robot, RobotView& view) const;
-  void fillWait(int robot, double now_s, RobotView& view) const;
-  std::string whyNotMoving(int robot, double now_s) const;
+  TaskId taskOf(int robot, int sequence) const;
 
   std::vector<std::string> names_;
-  int rows_;
-  int cols_;
   CellFrame frame_;
   ExecutionLimits limits_;
-  std::vector<Robot> robots_;
+  PlanAdmission admission_;
+  std::vector<RobotMonitor> monitors_;
+  std::vector<Delivery> deliveries_;
 
   ExecutionPhase phase_ = ExecutionPhase::Idle;
   ExecutionMode mode_ = ExecutionMode::Run;
@@ -130,14 +141,11 @@ class Execution {
   std::string refusal_;
   std::uint32_t plan_id_ = 0;
   std::uint32_t last_plan_id_ = 0;
-  bool is_cut_ = false;        ///< no more is released before a replacement plan starts
+  bool is_cut_ = false;
   bool is_abandoned_ = false;  ///< no more is released: a new mission takes the plan's place
   std::shared_ptr<const MissionPlan> plan_;
-  std::optional<ActionDependencyGraph>
-      graph_;                          ///< its agents are the robots of the lab, all of them
-  std::map<int, Cell> mission_goals_;  ///< of the robots of the mission
-  std::shared_ptr<const MissionPlan> pending_;
-  double pending_until_s_ = 0.0;
+  std::optional<ActionDependencyGraph> graph_;
+  std::map<int, Cell> mission_goals_;
   std::vector<ExecutionEvent> events_;
 };
 

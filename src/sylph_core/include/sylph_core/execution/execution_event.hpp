@@ -3,31 +3,68 @@
 #include <cstdint>
 #include <memory>
 #include <string>
+#include <variant>
 
 #include "sylph_core/execution/mission_plan.hpp"
+#include "sylph_core/execution/states.hpp"
 
 namespace sylph {
 
+/// What an entry of the event log tells. Robots are indices.
+namespace event {
+
+/// `plan` is carried out from now on.
+struct Started {
+  std::shared_ptr<const MissionPlan> plan;
+};
+struct Refused {
+  std::string reason;
+};
+/// The plan gives way to a new mission: nothing more of it is released.
+struct Abandoned {};
+struct Released {
+  int robot = 0;
+  int sequence = 0;  ///< of the task within the plan
+};
+struct Accepted {
+  int robot = 0;
+  int count = 0;  ///< tasks of the plan that it has without a gap
+};
+struct Done {
+  int robot = 0;
+  int sequence = 0;  ///< of the task within the plan
+};
+struct Condition {
+  int robot = 0;
+  RobotCondition condition = RobotCondition::Ok;
+  std::string reason;
+};
+struct Lost {
+  int robot = 0;
+  std::string reason;
+};
+struct Mode {
+  ExecutionMode mode = ExecutionMode::Run;
+  std::string reason;
+};
+struct Phase {
+  ExecutionPhase phase = ExecutionPhase::Idle;
+};
+
+}  // namespace event
+
 /// One entry of the event log. The entries of a run, replayed in order, give the same state.
 struct ExecutionEvent {
-  enum class Kind {
-    Started,    ///< `plan` is carried out from now on
-    Refused,    ///< plan_id, text: why
-    Abandoned,  ///< plan_id gives way to a new mission: nothing more of it is released
-    Released,   ///< robot, plan_id, number: sequence of the task
-    Accepted,   ///< robot, plan_id, number: tasks that it has without a gap
-    Done,       ///< robot, plan_id, number: sequence of the task
-    Condition,  ///< robot, number: RobotCondition, text: why
-    Lost,       ///< robot, text: by whom
-    Mode,       ///< number: ExecutionMode, text: by whom or why
-    Phase,      ///< number: ExecutionPhase
-  };
-  Kind kind = Kind::Phase;
-  std::uint32_t plan_id = 0;
-  int robot = -1;  ///< index, -1: none
-  int number = 0;
-  std::string text;
-  std::shared_ptr<const MissionPlan> plan = nullptr;
+  using What = std::variant<event::Started, event::Refused, event::Abandoned, event::Released,
+                            event::Accepted, event::Done, event::Condition, event::Lost,
+                            event::Mode, event::Phase>;
+
+  /// Not inline: where g++ 12 sees a variant made and moved at once, it warns of strings that are
+  /// not there.
+  ExecutionEvent(std::uint32_t of_plan, What told);
+
+  std::uint32_t plan_id;
+  What what;
 };
 
 }  // namespace sylph

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "sylph_core/execution/states.hpp"
+#include "sylph_core/execution/task.hpp"
+
+namespace sylph {
+
+/// What the central node knows of one robot, see RobotExecution.msg.
+struct RobotExecution {
+  std::string robot;  ///< its name
+  RobotCondition condition = RobotCondition::Ok;
+  RobotState report_state = RobotState::Idle;
+  int tasks_total = 0;  ///< of this plan
+  int tasks_done = 0;   ///< of this plan
+  Timestep step = 0;    ///< of this plan, to look up its social state
+  // The first task that is not done, if there is one.
+  TaskId task_id = 0;
+  TaskStatus task_status = TaskStatus::Staged;
+  Action action = Action::Stay;
+  Cell cell;
+  Cell next_cell;  ///< end of that task, or `cell`
+  Cell goal;
+  std::vector<Cell> held_cells;
+  std::vector<Cell> remaining_path;
+  std::string partner;
+  float svo_deg = 0.0F;
+  std::string waits_for_robot;  ///< empty: it does not wait
+  TaskId waits_for_task = 0;
+  Cell waits_for_cell;
+  double waited_s = 0.0;  ///< for how long [s]
+  std::string root_cause_robot;
+  std::string root_cause;
+};
+
+/// State of execution as it is told to people, planner and robots, see AdgState.msg.
+struct AdgState {
+  std::uint32_t plan_id = 0;       ///< pending, carried out, or refused last; 0: none yet
+  std::uint32_t last_plan_id = 0;  ///< the largest in plans and reports
+  ExecutionPhase phase = ExecutionPhase::Idle;
+  ExecutionMode mode = ExecutionMode::Run;
+  std::string message;      ///< why the plan was refused, or why robots pause or stop
+  std::uint32_t steps = 0;  ///< joint actions of the plan
+  double elapsed_s = 0.0;   ///< since the first task was released
+  std::vector<RobotExecution> robots;
+};
+
+}  // namespace sylph

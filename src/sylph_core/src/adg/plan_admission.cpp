@@ -1,0 +1,176 @@
+#include "sylph_core/adg/plan_admission.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <set>
+
+#include "sylph_core/mapf/check_plan.hpp"
+
+namespace sylph {
+namespace {
+
+std::string metres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof(text), "%.3f m", value);
+  return text;
+}
+
+}  // namespace
+
+PlanAdmission::PlanAdmission(std::vector<std::string> robots, int rows, int cols,
+                             const CellFrame& frame, const ExecutionLimits& limits)
+    : names_(std::move(robots)), map_(rows, cols), frame_(frame), limits_(limits) {}
+
+std::optional<std::size_t> PlanAdmission::indexOf(const std::string& robot) const {
+  const auto found = std::find(names_.begin(), names_.end(), robot);
+  return found == names_.end()
+             ? std::nullopt
+             : std::make_optional(static_cast<std::size_t>(found - names_.begin()));
+}
+
+std::optional<std::string> PlanAdmission::propose(MissionPlan plan, const PresentExecution& present,
+                                                  double now_s) {
+  if (auto fault = faultOf(plan, present)) {
+    return fault;
+  }
+  pending_ = std::make_shared<const MissionPlan>(std::move(plan));
+  pending_until_s_ = now_s + limits_.start_wait_s;
+  return std::nullopt;
+}
+
+PlanAdmission::Decision PlanAdmission::decide(const PresentExecution& present, double now_s) const {
+  if (const auto wait = reasonToWait(present, now_s)) {
+    return {now_s > pending_until_s_ ? Decision::Verdict::Refuse : Decision::Verdict::Wait, *wait};
+  }
+  if (const auto fault = reasonNotAtStart(present)) {
+    return {Decision::Verdict::Refuse, *fault};
+  }
+  return {Decision::Verdict::Start, {}};
+}
+
+std::optional<std::string> PlanAdmission::faultOfMembers(const MissionPlan& plan,
+                                                         const PresentExecution& present) const {
+  std::set<std::string> members;
+  for (const std::string& robot : plan.robots) {
+    const auto known = indexOf(robot);
+    if (!known) {
+      return "robot '" + robot + "' is not in the lab";
+    }
+    if (!members.insert(robot).second) {
+      return robot + " appears twice";
+    }
+    if (plan.replaces_plan_id != 0 && present.monitors[*known].isLost()) {
+      return robot + " is lost and cannot take part";
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> PlanAdmission::faultOf(const MissionPlan& plan,
+                                                  const PresentExecution& present) const {
+  if (auto fault = faultOfMembers(plan, present)) {
+    return fault;
+  }
+  if (plan.first_step != 0) {
+    return "it begins at timestep " + std::to_string(plan.first_step) + ": must be 0";
+  }
+  if (plan.plan.empty() || plan.goals.size() != plan.robots.size() ||
+      plan.social.size() != plan.steps()) {
+    return "it is not complete";
+  }
+  if (plan.replaces_plan_id != 0) {
+    const std::uint32_t carried_out = present.plan != nullptr ? present.plan->plan_id : 0;
+    if (plan.replaces_plan_id != carried_out) {
+      return "it replaces plan " + std::to_string(plan.replaces_plan_id) + ", but plan " +
+             std::to_string(carried_out) + " is carried out";
+    }
+    if (!present.is_cut) {
+      return "it replaces a plan that is not cut: no robot has been declared lost";
+    }
+  }
+  // The graph names robots, so it goes first; the independent checker has the last word.
+  try {
+    const ActionDependencyGraph graph(plan.plan, plan.robots);
+  } catch (const PlanRefused& refused) {
+    return refused.what();
+  }
+  const auto violation =
+      checkPlan({map_, plan.plan.front(), plan.goals, MotionModel{false}}, plan.plan);
+  return violation ? std::make_optional(violation->message) : std::nullopt;
+}
+
+std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& present,
+                                                       double now_s) const {
+  for (std::size_t robot = 0; present.graph != nullptr && robot < names_.size(); ++robot) {
+    const auto agent = static_cast<AgentId>(robot);
+    if (!present.monitors[robot].isLost() &&
+        present.graph->doneCount(agent) < present.graph->releasedCount(agent)) {
+      return names_[robot] + " has not finished the tasks of plan " +
+             std::to_string(present.plan->plan_id) + " that it has";
+    }
+  }
+  for (const std::string& member : pending_->robots) {
+    const RobotMonitor& robot = present.monitors[*indexOf(member)];
+    if (!robot.isHeard(now_s)) {
+      return member + " does not report";
+    }
+    const RobotReport& report = *robot.report();
+    if (report.state == RobotState::Blind || !report.pose) {
+      return member + " has no good pose" +
+             (report.detail.empty() ? std::string() : ": " + report.detail);
+    }
+    if (report.state == RobotState::Moving) {
+      return member + " still moves";
+    }
+    if (present.plan != nullptr && report.plan_id == present.plan->plan_id &&
+        report.done < report.accepted) {
+      return member + " has not finished the tasks of plan " +
+             std::to_string(present.plan->plan_id);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> PlanAdmission::reasonNotAtStart(const PresentExecution& present) const {
+  for (std::size_t agent = 0; agent < pending_->robots.size(); ++agent) {
+    const std::string& name = pending_->robots[agent];
+    const Point place = position(present.monitors[*indexOf(name)].report()->pose.value());
+    const Cell start = pending_->plan.front()[agent];
+    const Cell cell = frame_.toCell(place);
+    if (cell != start) {
+      return "it starts " + name + " in " + toString(start) + ", but the robot is in " +
+             toString(cell);
+    }
+    const Point center = frame_.toPoint(start);
+    const double offset_m = std::max(std::abs(place.x - center.x), std::abs(place.y - center.y));
+    if (offset_m > limits_.start_offset_m) {
+      return name + " stands " + metres(offset_m) + " off the centre of its start " +
+             toString(start) + ": at most " + metres(limits_.start_offset_m) + " are allowed";
+    }
+  }
+  return bystanderInTheWay(present);
+}
+
+std::optional<std::string> PlanAdmission::bystanderInTheWay(const PresentExecution& present) const {
+  std::set<Cell> visited;
+  for (const Configuration& cells : pending_->plan) {
+    visited.insert(cells.begin(), cells.end());
+  }
+  for (std::size_t robot = 0; robot < names_.size(); ++robot) {
+    const auto& members = pending_->robots;
+    const std::optional<RobotReport>& report = present.monitors[robot].report();
+    if (!report || !report->pose ||
+        std::find(members.begin(), members.end(), names_[robot]) != members.end()) {
+      continue;
+    }
+    const Cell cell = frame_.toCell(position(*report->pose));
+    if (visited.count(cell) > 0) {
+      return "it leads through " + toString(cell) + ", where " + names_[robot] +
+             " stands, which takes no part";
+    }
+  }
+  return std::nullopt;
+}
+
+}  // namespace sylph
