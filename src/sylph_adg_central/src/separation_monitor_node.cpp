@@ -7,8 +7,8 @@
 #include <cstdio>
 
 #include "sylph_core/experiment/experiment_margin.hpp"
-#include "sylph_ros/conversions.hpp"
 #include "sylph_ros/experiment.hpp"
+#include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/parameters.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -83,17 +83,13 @@ SeparationMonitorNode::SeparationMonitorNode(const ros::NodeHandle& nh,
 }
 
 void SeparationMonitorNode::onPose(int robot, const geometry_msgs::PoseStamped& message) {
-  if (message.header.frame_id != sylph_ros::kMapFrame) {
-    ROS_WARN_THROTTLE(1.0, "pose of %s is in frame '%s': must be '%s'", name(robot).c_str(),
-                      message.header.frame_id.c_str(), sylph_ros::kMapFrame);
+  const sylph_ros::JudgedPose judged = sylph_ros::judgePose(message);
+  if (judged.fault != sylph_ros::PoseFault::None) {
+    ROS_WARN_THROTTLE(1.0, "the pose of %s %s", name(robot).c_str(), judged.reason.c_str());
     return;
   }
-  const sylph::Pose2d pose = {message.pose.position.x, message.pose.position.y,
-                              sylph_ros::yawOf(message.pose.orientation)};
-  if (sylph::isFinite(pose)) {
-    received_s_[static_cast<std::size_t>(robot)] = clock_.now();
-  }
-  if (!watch_.update(robot, pose, message.header.stamp.toSec()) || is_violated_) {
+  received_s_[static_cast<std::size_t>(robot)] = clock_.now();
+  if (!watch_.update(robot, judged.pose, message.header.stamp.toSec()) || is_violated_) {
     return;
   }
   is_violated_ = true;

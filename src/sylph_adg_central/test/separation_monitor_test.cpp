@@ -52,7 +52,9 @@ class SeparationMonitorTest : public testing::Test {
     pose.header.frame_id = frame_id_;
     pose.header.stamp = ros::Time::now();
     pose.pose.position.x = x_m;
-    pose.pose.orientation = sylph_ros::quaternionFromYaw(0.0);
+    if (has_rotation_) {
+      pose.pose.orientation = sylph_ros::quaternionFromYaw(0.0);
+    }
     publishers_[robot].publish(pose);
   }
 
@@ -75,6 +77,7 @@ class SeparationMonitorTest : public testing::Test {
   sylph_msgs::SeparationState state_;
   std::optional<bool> is_stopped_;
   std::string frame_id_ = "map";
+  bool has_rotation_ = true;
   double gap_m_ = 0.07;
 };
 
@@ -105,6 +108,15 @@ TEST_F(SeparationMonitorTest, StopsAllUntilItIsResetWithRoomAgain) {
 TEST_F(SeparationMonitorTest, IgnoresPosesOfAnotherFrame) {
   ASSERT_TRUE(spinUntil([&] { return std::abs(state_.separation_m - 0.07) < 1e-6; }));
   frame_id_ = "mocap";
+  gap_m_ = 0.001;
+  ASSERT_TRUE(spinUntil([&] { return state_.without_pose.size() == 3; }));
+  EXPECT_FALSE(*is_stopped_);
+  EXPECT_NEAR(0.07, state_.separation_m, 1e-6);
+}
+
+TEST_F(SeparationMonitorTest, APoseWithoutARotationIsNone) {
+  ASSERT_TRUE(spinUntil([&] { return std::abs(state_.separation_m - 0.07) < 1e-6; }));
+  has_rotation_ = false;
   gap_m_ = 0.001;
   ASSERT_TRUE(spinUntil([&] { return state_.without_pose.size() == 3; }));
   EXPECT_FALSE(*is_stopped_);

@@ -6,8 +6,7 @@
 #include <sstream>
 
 #include "sylph_core/grid/cell_frame.hpp"
-#include "sylph_ros/conversions.hpp"
-#include "sylph_ros/topics.hpp"
+#include "sylph_ros/measured_pose.hpp"
 
 namespace sylph_planner_node {
 namespace {
@@ -22,34 +21,8 @@ std::string metres(double value) {
   return text.str();
 }
 
-bool isFinite(const geometry_msgs::PoseStamped& message) {
-  return std::isfinite(message.pose.position.x) && std::isfinite(message.pose.position.y);
-}
-
-bool isUsable(const MeasuredPose& measured, double now_s, double timeout_s) {
-  return now_s - measured.received_s <= timeout_s && isFinite(measured.pose) &&
-         measured.pose.header.frame_id == sylph_ros::kMapFrame;
-}
-
-const geometry_msgs::PoseStamped& usablePose(const std::string& robot, const MeasuredPoses& poses,
-                                             double now_s, double timeout_s) {
-  const auto found = poses.find(robot);
-  if (found == poses.end()) {
-    refuse("no pose of " + robot + " has come");
-  }
-  const MeasuredPose& measured = found->second;
-  if (now_s - measured.received_s > timeout_s) {
-    refuse("the last pose of " + robot + " came " + metres(now_s - measured.received_s) +
-           " s ago: at most " + metres(timeout_s) + " s are allowed");
-  }
-  if (measured.pose.header.frame_id != sylph_ros::kMapFrame) {
-    refuse("the pose of " + robot + " is in frame '" + measured.pose.header.frame_id +
-           "': it must be '" + sylph_ros::kMapFrame + "'");
-  }
-  if (!isFinite(measured.pose)) {
-    refuse("the pose of " + robot + " is not a number");
-  }
-  return measured.pose;
+sylph_ros::JudgedPose judge(const MeasuredPose& measured, double now_s, double timeout_s) {
+  return sylph_ros::judgePose(measured.pose, now_s - measured.received_s, timeout_s);
 }
 
 }  // namespace
@@ -59,8 +32,16 @@ sylph::Configuration startCells(const Mission& mission, const MeasuredPoses& pos
   const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
   sylph::Configuration cells;
   for (const std::string& robot : mission.robots) {
-    const auto& position = usablePose(robot, poses, now_s, timeout_s).pose.position;
-    const sylph::Cell cell = frame.toCell({position.x, position.y});
+    const auto measured = poses.find(robot);
+    if (measured == poses.end()) {
+      refuse("no pose of " + robot + " has come");
+    }
+    const sylph_ros::JudgedPose judged = judge(measured->second, now_s, timeout_s);
+    if (judged.fault != sylph_ros::PoseFault::None) {
+      refuse("the pose of " + robot + " " + judged.reason);
+    }
+    const sylph::Point position = sylph::position(judged.pose);
+    const sylph::Cell cell = frame.toCell(position);
     const std::string where = robot + " at (" + metres(position.x) + ", " + metres(position.y) +
                               ") m is in cell " + sylph::toString(cell);
     if (!mission.grid.isInside(cell)) {
@@ -86,20 +67,20 @@ std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission, const sylph::
   std::vector<sylph::Cell> cells;
   for (const sylph::RobotSpec& robot : lab.robots) {
     const auto measured = poses.find(robot.name);
-    if (mission.indexOf(robot.name) < mission.robots.size() || measured == poses.end() ||
-        !isUsable(measured->second, now_s, timeout_s)) {
+    if (mission.indexOf(robot.name) < mission.robots.size() || measured == poses.end()) {
       continue;
     }
-    const geometry_msgs::Pose& pose = measured->second.pose.pose;
-    const double yaw_rad = sylph_ros::yawOf(pose.orientation);
-    const double c = std::abs(std::cos(yaw_rad));
-    const double s = std::abs(std::sin(yaw_rad));
+    const sylph_ros::JudgedPose judged = judge(measured->second, now_s, timeout_s);
+    if (judged.fault != sylph_ros::PoseFault::None) {
+      continue;
+    }
+    const sylph::Pose2d& pose = judged.pose;
+    const double c = std::abs(std::cos(pose.yaw_rad));
+    const double s = std::abs(std::sin(pose.yaw_rad));
     const double reach_x = (robot.length_m * c + robot.width_m * s) / 2.0;
     const double reach_y = (robot.length_m * s + robot.width_m * c) / 2.0;
-    const sylph::Cell top_left =
-        frame.toCell({pose.position.x - reach_x, pose.position.y + reach_y});
-    const sylph::Cell bottom_right =
-        frame.toCell({pose.position.x + reach_x, pose.position.y - reach_y});
+    const sylph::Cell top_left = frame.toCell({pose.x_m - reach_x, pose.y_m + reach_y});
+    const sylph::Cell bottom_right = frame.toCell({pose.x_m + reach_x, pose.y_m - reach_y});
     for (int row = top_left.row; row <= bottom_right.row; ++row) {
       for (int col = top_left.col; col <= bottom_right.col; ++col) {
         if (mission.grid.isInside({row, col})) {

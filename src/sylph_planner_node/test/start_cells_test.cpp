@@ -56,7 +56,7 @@ TEST(StartCellsTest, NameTheRobotWithoutPose) {
 TEST(StartCellsTest, NameTheRobotWithAStalePose) {
   MeasuredPoses poses = posesInStarts();
   poses["robot_2"].received_s = kNow_s - 0.8;
-  EXPECT_EQ("2: the last pose of robot_2 came 0.80 s ago: at most 0.50 s are allowed",
+  EXPECT_EQ("2: the pose of robot_2 came 0.80 s ago: at most 0.50 s are allowed",
             failureWith(poses));
 }
 

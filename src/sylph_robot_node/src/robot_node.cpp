@@ -10,6 +10,7 @@
 
 #include "sylph_robot_node/conversions.hpp"
 #include "sylph_robot_node/shutdown_request.hpp"
+#include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/state_messages.hpp"
 #include "sylph_ros/task_messages.hpp"
 #include "sylph_ros/topics.hpp"
@@ -70,18 +71,19 @@ void RobotNode::onTask(const sylph_msgs::Task& message) {
 }
 
 void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
-  if (message.header.frame_id != sylph_ros::kMapFrame) {
-    ROS_WARN_THROTTLE(1.0, "pose in frame %s: must be %s", message.header.frame_id.c_str(),
-                      sylph_ros::kMapFrame);
-    return;
+  const sylph_ros::JudgedPose judged = sylph_ros::judgePose(message);
+  if (judged.fault != sylph_ros::PoseFault::None) {
+    ROS_WARN_THROTTLE(1.0, "the pose of %s %s", options_.robot.c_str(), judged.reason.c_str());
+  }
+  if (judged.fault == sylph_ros::PoseFault::Frame) {
+    return;  // somebody else's, not a failed measurement
   }
   const double now_s = clock_.now();
   double age_s = (ros::Time::now() - message.header.stamp).toSec();
   if (age_s > -kStampAhead_s) {
     age_s = std::max(0.0, age_s);
   }
-  controller_.onPose(
-      {fromMessage(message.pose), message.header.stamp.toSec(), now_s - age_s, now_s});
+  controller_.onPose({judged.pose, message.header.stamp.toSec(), now_s - age_s, now_s});
   reportChange(now_s);
 }
 

@@ -3,9 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sylph_ros/conversions.hpp"
-#include "sylph_ros/topics.hpp"
-
 namespace sylph_rviz {
 
 Scene sceneOf(const sylph::Experiment& experiment) {
@@ -21,15 +18,6 @@ Scene sceneOf(const sylph::Experiment& experiment) {
     scene.robots.push_back(std::move(robot));
   }
   return scene;
-}
-
-std::optional<sylph::Pose2d> fromMessage(const geometry_msgs::PoseStamped& message) {
-  const sylph::Pose2d pose{message.pose.position.x, message.pose.position.y,
-                           sylph_ros::yawOf(message.pose.orientation)};
-  if (message.header.frame_id != sylph_ros::kMapFrame || !sylph::isFinite(pose)) {
-    return std::nullopt;
-  }
-  return pose;
 }
 
 std::optional<MapExtent> extentOf(const nav_msgs::OccupancyGrid& message) {

@@ -3,6 +3,7 @@
 #include <ros/console.h>
 
 #include "sylph_ros/experiment.hpp"
+#include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/parameters.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -63,15 +64,15 @@ void MarkersNode::onMap(const nav_msgs::OccupancyGrid& message) {
 }
 
 void MarkersNode::onPose(std::size_t robot, const geometry_msgs::PoseStamped& message) {
-  if (const auto pose = fromMessage(message)) {
-    scene_.robots[robot].pose = pose;
-    last_input_s_ = clock_.now();
-    inputs_[robot].pose_received_s = last_input_s_;
-  } else {
-    ROS_WARN_THROTTLE(1.0, "dropped a pose of %s that is not finite or not in frame %s: %s",
-                      scene_.robots[robot].name.c_str(), sylph_ros::kMapFrame,
-                      message.header.frame_id.c_str());
+  const sylph_ros::JudgedPose judged = sylph_ros::judgePose(message);
+  if (judged.fault != sylph_ros::PoseFault::None) {
+    ROS_WARN_THROTTLE(1.0, "the pose of %s %s", scene_.robots[robot].name.c_str(),
+                      judged.reason.c_str());
+    return;
   }
+  scene_.robots[robot].pose = judged.pose;
+  last_input_s_ = clock_.now();
+  inputs_[robot].pose_received_s = last_input_s_;
 }
 
 void MarkersNode::addRobot(const std::string& name) {

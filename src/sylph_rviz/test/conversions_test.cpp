@@ -2,10 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
-
-#include "sylph_ros/conversions.hpp"
-
 namespace sylph_rviz {
 namespace {
 
@@ -26,22 +22,6 @@ TEST(FootprintTest, WithoutExtentChangesNothing) {
   RobotView robot;
   setFootprint(robot, geometry_msgs::PolygonStamped());
   EXPECT_DOUBLE_EQ(0.23, robot.length_m);
-}
-
-TEST(PoseTest, IsTakenOnlyInTheMapAndFinite) {
-  geometry_msgs::PoseStamped message;
-  message.header.frame_id = "map";
-  message.pose.position.x = 1.0;
-  message.pose.orientation = sylph_ros::quaternionFromYaw(0.5);
-  const auto pose = fromMessage(message);
-  ASSERT_TRUE(pose);
-  EXPECT_DOUBLE_EQ(1.0, pose->x_m);
-  EXPECT_NEAR(0.5, pose->yaw_rad, 1e-12);
-  message.header.frame_id = "odom";
-  EXPECT_FALSE(fromMessage(message));
-  message.header.frame_id = "map";
-  message.pose.position.y = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_FALSE(fromMessage(message));
 }
 
 TEST(ExtentTest, NeedsCellsAndAResolution) {

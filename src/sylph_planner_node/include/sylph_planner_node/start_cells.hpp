@@ -22,8 +22,8 @@ using MeasuredPoses = std::map<std::string, MeasuredPose>;
 /// The cells in which the robots of a mission are, one per robot: the cell that contains the pose.
 /// @param now_s      steady time [s]
 /// @param timeout_s  a pose that came earlier is stale [s]
-/// @throws MissionFailure (NO_POSE) naming the robot whose pose is missing, stale, not finite, not
-/// in frame `map`, not in a free cell, or in the cell of another robot
+/// @throws MissionFailure (NO_POSE) naming the robot whose pose is missing or faulty
+/// (judgePose()), not in a free cell, or in the cell of another robot
 sylph::Configuration startCells(const Mission& mission, const MeasuredPoses& poses, double now_s,
                                 double timeout_s);
 

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <geometry_msgs/PolygonStamped.h>
-#include <geometry_msgs/PoseStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
 
 #include <optional>
@@ -13,9 +12,6 @@ namespace sylph_rviz {
 
 /// Robots and map of an experiment, before anything has been measured.
 Scene sceneOf(const sylph::Experiment& experiment);
-
-/// @return nothing if the pose is not in `map` or not finite
-std::optional<sylph::Pose2d> fromMessage(const geometry_msgs::PoseStamped& message);
 
 /// @return nothing if the map is empty or its resolution not positive
 std::optional<MapExtent> extentOf(const nav_msgs::OccupancyGrid& message);

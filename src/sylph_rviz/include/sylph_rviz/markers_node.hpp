@@ -1,5 +1,6 @@
 #pragma once
 
+#include <geometry_msgs/PoseStamped.h>
 #include <ros/node_handle.h>
 #include <ros/publisher.h>
 #include <ros/steady_timer.h>
