@@ -39,18 +39,18 @@ void DrivePath::append(const Point& end, double blend_m) {
         std::min(blend_m, kLargestShareOfLeg * std::min(legs_.back().length_m, length_m));
     const bool is_straight = cosine > kStraightCosine;
     const bool is_blend = !is_straight && cosine > kSharpestCosine && blend >= kSmallestBlend_m;
-    joints_.push_back(is_straight ? Joint::Straight : is_blend ? Joint::Blend : Joint::Stop);
+    corners_.push_back(is_straight ? Corner::Straight : is_blend ? Corner::Blend : Corner::Stop);
     blends_m_.push_back(is_blend ? blend : 0.0);
   }
   legs_.push_back(leg);
   waypoints_.push_back(end);
 }
 
-Joint DrivePath::joint(int waypoint) const {
+Corner DrivePath::corner(int waypoint) const {
   if (waypoint <= 0 || waypoint >= legCount()) {
-    return Joint::Stop;
+    return Corner::Stop;
   }
-  return joints_[static_cast<std::size_t>(waypoint - 1)];
+  return corners_[static_cast<std::size_t>(waypoint - 1)];
 }
 
 double DrivePath::blend(int waypoint) const {
@@ -61,7 +61,7 @@ double DrivePath::blend(int waypoint) const {
 }
 
 double DrivePath::blendSpeed(int waypoint, double acceleration_mps2) const {
-  if (joint(waypoint) != Joint::Blend) {
+  if (corner(waypoint) != Corner::Blend) {
     return 0.0;
   }
   const double sine = halfTurnSine(leg(waypoint - 1).direction, leg(waypoint).direction);

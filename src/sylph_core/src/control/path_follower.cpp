@@ -96,30 +96,30 @@ Twist2d PathFollower::update(const MotionState& state, int reached, int last, do
 }
 
 bool PathFollower::stopsAt(int waypoint, int last) const {
-  return waypoint >= last || path_.joint(waypoint) == Joint::Stop;
+  return waypoint >= last || path_.corner(waypoint) == Corner::Stop;
 }
 
 void PathFollower::advance(const Point& position, int reached, int last) {
   while (leg_ + 1 < last) {
     const int waypoint = leg_ + 1;
-    const Joint joint = path_.joint(waypoint);
+    const Corner corner = path_.corner(waypoint);
     const Guide guide = legGuide(position);
     bool passes = false;
-    if (joint == Joint::Blend) {
+    if (corner == Corner::Blend) {
       is_in_blend_ = is_in_blend_ || guide.to_waypoint_m <= path_.blend(waypoint);
       passes = is_in_blend_ && blendGuide(position).to_waypoint_m <= 0.0;
     } else {
-      passes = joint == Joint::Straight ? guide.to_waypoint_m <= 0.0 : reached >= waypoint;
+      passes = corner == Corner::Straight ? guide.to_waypoint_m <= 0.0 : reached >= waypoint;
     }
     if (!passes) {
       return;
     }
     is_in_blend_ = false;
     ++leg_;
-    if (joint != Joint::Straight) {
+    if (corner != Corner::Straight) {
       cross_.reset();
     }
-    if (joint == Joint::Stop) {
+    if (corner == Corner::Stop) {
       is_halted_ = true;
     }
   }
@@ -195,7 +195,7 @@ PathFollower::SpeedLimit PathFollower::speedLimit(const Guide& guide, int last) 
       apply(speedBefore(0.0, distance_m));
       break;
     }
-    if (path_.joint(waypoint) == Joint::Blend) {
+    if (path_.corner(waypoint) == Corner::Blend) {
       apply(speedBefore(path_.blendSpeed(waypoint, options_.acceleration_limit_mps2),
                         distance_m - path_.blend(waypoint)));
     }

@@ -173,22 +173,22 @@ Twist2d RobotController::update(double now_s) {
   const bool has_path = followed_plan_ != 0;
   if (decision_.permission == Permission::Stop || !has_path) {
     follower_.halt();
-    return send(limiter_.ramp(options_.stop_deceleration_mps2, step_s), now_s);
+    return noteCommand(limiter_.ramp(options_.stop_deceleration_mps2, step_s), now_s);
   }
   const TimedPose& pose = *watch_.last();
   const MotionState state =
       predictor_.predict(pose.pose, pose.captured_s, now_s + options_.base.latency_s);
   const Twist2d wanted =
       follower_.update(state, reachedWaypoint(), lastWaypoint(decision_.permission), step_s);
-  return send(limiter_.limit(wanted, step_s), now_s);
+  return noteCommand(limiter_.limit(wanted, step_s), now_s);
 }
 
 Twist2d RobotController::rampDown(double now_s) {
   follower_.halt();
-  return send(limiter_.ramp(options_.stop_deceleration_mps2, stepTo(now_s)), now_s);
+  return noteCommand(limiter_.ramp(options_.stop_deceleration_mps2, stepTo(now_s)), now_s);
 }
 
-Twist2d RobotController::send(const Twist2d& command_map, double now_s) {
+Twist2d RobotController::noteCommand(const Twist2d& command_map, double now_s) {
   predictor_.command(now_s, command_map);
   const double yaw_rad = watch_.last() ? watch_.last()->pose.yaw_rad : 0.0;
   return slip_.compensate(robotFromMap(command_map, yaw_rad));

@@ -19,16 +19,16 @@ DrivePath pathOf(const std::vector<Point>& points, double blend_m) {
 
 TEST(DrivePathTest, TellsHowItPassesEachWaypoint) {
   const DrivePath path = pathOf({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 0}}, 0.02);
-  EXPECT_EQ(Joint::Stop, path.joint(0));
-  EXPECT_EQ(Joint::Straight, path.joint(1));
-  EXPECT_EQ(Joint::Blend, path.joint(2));
-  EXPECT_EQ(Joint::Stop, path.joint(3));  // leads back
-  EXPECT_EQ(Joint::Stop, path.joint(4));  // the end
+  EXPECT_EQ(Corner::Stop, path.corner(0));
+  EXPECT_EQ(Corner::Straight, path.corner(1));
+  EXPECT_EQ(Corner::Blend, path.corner(2));
+  EXPECT_EQ(Corner::Stop, path.corner(3));  // leads back
+  EXPECT_EQ(Corner::Stop, path.corner(4));  // the end
 }
 
 TEST(DrivePathTest, WithoutABlendDistanceTheRobotStopsAtCorners) {
   const DrivePath path = pathOf({{0, 0}, {1, 0}, {1, 1}}, 0.0005);
-  EXPECT_EQ(Joint::Stop, path.joint(1));
+  EXPECT_EQ(Corner::Stop, path.corner(1));
   EXPECT_DOUBLE_EQ(0.0, path.blendSpeed(1, 0.6));
 }
 

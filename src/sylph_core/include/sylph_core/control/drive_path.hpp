@@ -18,7 +18,7 @@ struct Leg {
 double distanceToLeg(const Leg& leg, const Point& point);
 
 /// How a path goes on where two legs meet.
-enum class Joint {
+enum class Corner {
   Straight,  ///< driven through
   Blend,     ///< a parabola that passes the corner at a small distance
   Stop,      ///< the robot comes to rest: a sharp corner, a reversal, or the end of the path
@@ -58,8 +58,8 @@ class DrivePath {
   const Leg& leg(int index) const { return legs_.at(static_cast<std::size_t>(index)); }
 
   /// How the path passes a waypoint; Stop at both ends.
-  Joint joint(int waypoint) const;
-  /// Blend distance at a waypoint [m], 0 unless its joint is Blend.
+  Corner corner(int waypoint) const;
+  /// Blend distance at a waypoint [m], 0 unless its corner is Blend.
   double blend(int waypoint) const;
   /// Speed at which a blend may be entered and left [m/s].
   double blendSpeed(int waypoint, double acceleration_mps2) const;
@@ -67,7 +67,7 @@ class DrivePath {
  private:
   std::vector<Point> waypoints_;
   std::vector<Leg> legs_;
-  std::vector<Joint> joints_;     // of waypoints 1 ... legCount() - 1
+  std::vector<Corner> corners_;   // of waypoints 1 ... legCount() - 1
   std::vector<double> blends_m_;  // of the same
 };
 

@@ -60,7 +60,8 @@ class RobotController {
   void detectArrival(const Pose2d& pose, const Twist2d& twist_map);
   int lastWaypoint(Permission permission);
   int reachedWaypoint() const { return tasks_.done() - first_task_; }
-  Twist2d send(const Twist2d& command_map, double now_s);
+  /// Tells the predictor of a command, and gives it as it goes to the base.
+  Twist2d noteCommand(const Twist2d& command_map, double now_s);
   double stepTo(double now_s);
 
   RobotControllerOptions options_;
