@@ -97,7 +97,18 @@ std::size_t Mission::indexOf(const std::string& robot) const {
   return static_cast<std::size_t>(std::find(robots.begin(), robots.end(), robot) - robots.begin());
 }
 
-Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
+std::shared_ptr<const sylph::Policy> Weights::of(const std::string& planner) {
+  if (!sylph::needsPolicy(planner)) {
+    return nullptr;
+  }
+  if (!policy_) {
+    policy_ = sylph::loadPolicyFor(planner, path_);
+  }
+  return policy_;
+}
+
+Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab,
+                    Weights& weights) {
   requireRobots(goal, lab);
   Mission mission;
   mission.map_path = goal.map;
@@ -114,7 +125,7 @@ Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab
   mission.seed = goal.seed;
   requirePlanner(mission);
   try {
-    mission.policy = sylph::loadPolicyFor(mission.planner, lab.planning.weights_path);
+    mission.policy = weights.of(mission.planner);
   } catch (const std::exception& error) {
     refuse(error.what());
   }

@@ -32,6 +32,7 @@ PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : nh_(nh),
       options_(loadOptions(private_nh)),
       lab_(sylph_ros::loadExperiment(nh)),
+      weights_(lab_.planning.weights_path),
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       poses_(nh, clock_),
       mode_(nh),
@@ -44,7 +45,7 @@ PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
       server_(nh_, sylph_ros::kExecuteMissionAction, false),
       diagnostics_(nh_, private_nh) {
   // Weights of no use are refused now rather than with the first mission.
-  sylph::loadPolicyFor(lab_.planning.planner, lab_.planning.weights_path);
+  weights_.of(lab_.planning.planner);
   mission_.grid = lab_.grid;
   mission_.cell_size_m = lab_.cell_size_m;
   mission_.corner = lab_.corner;
@@ -75,7 +76,7 @@ void PlannerNode::onGoal() {
   given_up_.clear();
   withdrawPlan();
   try {
-    mission_ = readMission(*goal, lab_);
+    mission_ = readMission(*goal, lab_, weights_);
   } catch (const MissionFailure& failure) {
     fail(failure);
     return;

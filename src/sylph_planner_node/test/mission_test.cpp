@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <functional>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -15,12 +17,17 @@ namespace {
 
 using sylph_msgs::ExecuteMissionGoal;
 
+Mission read(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
+  Weights weights(lab.planning.weights_path);
+  return readMission(goal, lab, weights);
+}
+
 TEST(ReadMissionTest, TakesWhatTheRequestNamesAndTheLabsDefaults) {
   ExecuteMissionGoal goal = toGoal(smallLab());
   goal.planner = "";
   goal.time_limit_s = 0.0;
   goal.seed = 7;
-  const Mission mission = readMission(goal, smallLab());
+  const Mission mission = read(goal, smallLab());
   EXPECT_EQ((std::vector<std::string>{"robot_0", "robot_1", "robot_2"}), mission.robots);
   EXPECT_EQ((sylph::Configuration{{0, 4}, {2, 0}, {0, 0}}), mission.goals);
   EXPECT_EQ("lacam", mission.planner);
@@ -34,15 +41,29 @@ TEST(ReadMissionTest, NamesTheWeightFileThatItCannotRead) {
   goal.planner = "sylph";
   sylph::Experiment lab = smallLab();
   lab.planning.weights_path = "/nowhere.safetensors";
-  const std::string failure = failureOf([&] { readMission(goal, lab); });
+  const std::string failure = failureOf([&] { read(goal, lab); });
   EXPECT_EQ(0U, failure.find("1: /nowhere.safetensors: ")) << failure;
+}
+
+TEST(WeightsTest, AreReadOnceForAllPlannersThatNeedThem) {
+  const std::string path = testing::TempDir() + "sylph_weights_test.safetensors";
+  std::filesystem::copy_file(
+      std::string(SYLPH_TEST_DATA) + "/../../../../weights/sylph.safetensors", path,
+      std::filesystem::copy_options::overwrite_existing);
+  Weights weights(path);
+  EXPECT_FALSE(weights.of("lacam"));
+  const auto policy = weights.of("sylph");
+  ASSERT_TRUE(policy);
+  std::filesystem::remove(path);
+  EXPECT_EQ(policy, weights.of("sylph_lacam"));
+  EXPECT_THROW(Weights("").of("sylph"), std::invalid_argument);
 }
 
 TEST(ReadMissionTest, TakesSomeOfTheRobots) {
   ExecuteMissionGoal goal = toGoal(smallLab());
   goal.robots = {"robot_2"};
   goal.goals.resize(1);
-  const Mission mission = readMission(goal, smallLab());
+  const Mission mission = read(goal, smallLab());
   EXPECT_EQ(0U, mission.indexOf("robot_2"));
   EXPECT_EQ(1U, mission.indexOf("robot_0"));
 }
@@ -58,7 +79,7 @@ class BadRequestTest : public testing::TestWithParam<BadRequest> {};
 TEST_P(BadRequestTest, IsRefusedWithOneClearLine) {
   ExecuteMissionGoal goal = toGoal(smallLab());
   GetParam().spoil(goal);
-  const std::string failure = failureOf([&] { readMission(goal, smallLab()); });
+  const std::string failure = failureOf([&] { read(goal, smallLab()); });
   EXPECT_EQ("1: ", failure.substr(0, 3)) << failure;
   EXPECT_NE(std::string::npos, failure.find(GetParam().message)) << failure;
   EXPECT_EQ(std::string::npos, failure.find('\n')) << failure;

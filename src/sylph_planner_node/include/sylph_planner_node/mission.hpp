@@ -6,6 +6,7 @@
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sylph_core/experiment/experiment.hpp"
@@ -24,6 +25,20 @@ class MissionFailure : public std::runtime_error {
 
  private:
   std::uint8_t outcome_;
+};
+
+/// The weights of a lab, read when a planner first needs them and never again.
+class Weights {
+ public:
+  explicit Weights(std::string path) : path_(std::move(path)) {}
+
+  /// @return nothing if the planner needs none
+  /// @throws std::exception with one line if the file is of no use, or there is none
+  std::shared_ptr<const sylph::Policy> of(const std::string& planner);
+
+ private:
+  std::string path_;
+  std::shared_ptr<const sylph::Policy> policy_;
 };
 
 /// A mission that has been checked as far as it can be without knowing where the robots are.
@@ -48,7 +63,9 @@ struct Mission {
 ///
 /// Robots must be robots of the lab. The map must have the size of the lab's map and its cells,
 /// because the other nodes turn cells into metres by the lab's; its obstacles may differ.
+/// @param weights  of the planner, if it needs some
 /// @throws MissionFailure (BAD_REQUEST)
-Mission readMission(const sylph_msgs::ExecuteMissionGoal& goal, const sylph::Experiment& lab);
+Mission readMission(const sylph_msgs::ExecuteMissionGoal& goal, const sylph::Experiment& lab,
+                    Weights& weights);
 
 }  // namespace sylph_planner_node

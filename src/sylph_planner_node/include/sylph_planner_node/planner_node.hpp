@@ -80,6 +80,7 @@ class PlannerNode {
   ros::NodeHandle nh_;
   Options options_;
   sylph::Experiment lab_;
+  Weights weights_;
   sylph_ros::SteadyClock clock_;
   PoseListener poses_;
   ModeCaller mode_;
