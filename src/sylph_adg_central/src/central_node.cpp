@@ -85,7 +85,7 @@ CentralNode::~CentralNode() {
 }
 
 void CentralNode::rebuild() {
-  for (const StampedEvent& past : log_.past()) {
+  for (const sylph::StampedEvent& past : log_.past()) {
     try {
       execution_.replay(past.event);
     } catch (const std::exception& error) {

@@ -1,11 +1,8 @@
 #include "sylph_adg_central/event_log.hpp"
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
-
-#include "sylph_adg_central/event_json.hpp"
 
 namespace sylph_adg_central {
 namespace {
@@ -28,8 +25,7 @@ EventLog::EventLog(std::string path, std::vector<std::string> names)
   std::string line;
   for (int number = 1; std::getline(lines, line); ++number) {
     try {
-      const nlohmann::json object = nlohmann::json::parse(line);
-      past_.push_back({object.at("stamp").get<double>(), eventFromJson(object, names_)});
+      past_.push_back(sylph::eventFromLine(line, names_));
     } catch (const std::exception& error) {
       throw std::runtime_error(path_ + ":" + std::to_string(number) + ": " + error.what());
     }
@@ -43,8 +39,8 @@ EventLog::EventLog(std::string path, std::vector<std::string> names)
   }
 }
 
-void EventLog::append(const StampedEvent& event) {
-  file_ << toJson(event.event, event.stamp_s, names_).dump() << '\n' << std::flush;
+void EventLog::append(const sylph::StampedEvent& event) {
+  file_ << sylph::toLine(event, names_) << '\n' << std::flush;
   if (!file_) {
     throw std::runtime_error(path_ + ": cannot be written");
   }

@@ -54,7 +54,7 @@ void writeResult(const RunResult& result, const std::string& path) {
   }
 }
 
-void RunRecord::add(const StampedEvent& entry) {
+void RunRecord::add(const sylph::StampedEvent& entry) {
   const auto& what = entry.event.what;
   if (const auto* started = std::get_if<sylph::event::Started>(&what)) {
     if (started->plan->replaces_plan_id == 0) {

@@ -5,15 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/execution/execution_event.hpp"
+#include "sylph_core/execution/event_line.hpp"
 
 namespace sylph_adg_central {
-
-/// An event and when it happened.
-struct StampedEvent {
-  double stamp_s = 0.0;  ///< ROS time [s]
-  sylph::ExecutionEvent event;
-};
 
 /// The log of a run: one JSON object a line, only ever appended to, each line on its way to the
 /// disk before the call returns.
@@ -27,15 +21,15 @@ class EventLog {
   EventLog(std::string path, std::vector<std::string> names);
 
   /// What was in the log when it was opened.
-  const std::vector<StampedEvent>& past() const { return past_; }
+  const std::vector<sylph::StampedEvent>& past() const { return past_; }
 
   /// @throws std::runtime_error if it cannot be written
-  void append(const StampedEvent& event);
+  void append(const sylph::StampedEvent& event);
 
  private:
   std::string path_;
   std::vector<std::string> names_;
-  std::vector<StampedEvent> past_;
+  std::vector<sylph::StampedEvent> past_;
   std::ofstream file_;
 };
 

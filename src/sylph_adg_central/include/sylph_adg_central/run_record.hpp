@@ -36,7 +36,7 @@ void writeResult(const RunResult& result, const std::string& path);
 /// Sums up a mission from what happens, and from what happened before a restart.
 class RunRecord {
  public:
-  void add(const StampedEvent& entry);
+  void add(const sylph::StampedEvent& entry);
   void addTrackingError(double error_m);
   void setMinSeparation(double separation_m) { min_separation_m_ = separation_m; }
   void setCollisions(std::uint32_t collisions) { collisions_ = collisions; }

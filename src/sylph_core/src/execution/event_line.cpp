@@ -1,4 +1,4 @@
-#include "sylph_adg_central/event_json.hpp"
+#include "sylph_core/execution/event_line.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -7,36 +7,35 @@
 #include <utility>
 #include <variant>
 
-namespace sylph_adg_central {
+namespace sylph {
 namespace {
 
-namespace event = sylph::event;
 using nlohmann::json;
 
-json toJson(const sylph::Configuration& cells) {
+json toJson(const Configuration& cells) {
   json list = json::array();
-  for (const sylph::Cell& cell : cells) {
+  for (const Cell& cell : cells) {
     list.push_back({cell.row, cell.col});
   }
   return list;
 }
 
-sylph::Configuration cellsFromJson(const json& list) {
-  sylph::Configuration cells;
+Configuration cellsFromJson(const json& list) {
+  Configuration cells;
   for (const json& cell : list) {
     cells.push_back({cell.at(0).get<int>(), cell.at(1).get<int>()});
   }
   return cells;
 }
 
-json toJson(const sylph::MissionPlan& plan) {
+json toJson(const MissionPlan& plan) {
   json configurations = json::array();
-  for (const sylph::Configuration& cells : plan.plan) {
+  for (const Configuration& cells : plan.plan) {
     configurations.push_back(toJson(cells));
   }
   json partners = json::array();
   json svo_deg = json::array();
-  for (const sylph::SocialState& social : plan.social) {
+  for (const SocialState& social : plan.social) {
     partners.push_back(social.partners);
     svo_deg.push_back(social.svo_deg);  // not a number becomes null
   }
@@ -50,8 +49,8 @@ json toJson(const sylph::MissionPlan& plan) {
           {"svo_deg", std::move(svo_deg)}};
 }
 
-sylph::MissionPlan planFromJson(const json& object, std::uint32_t plan_id) {
-  sylph::MissionPlan plan;
+MissionPlan planFromJson(const json& object, std::uint32_t plan_id) {
+  MissionPlan plan;
   plan.plan_id = plan_id;
   plan.replaces_plan_id = object.at("replaces_plan_id").get<std::uint32_t>();
   plan.planner = object.at("planner").get<std::string>();
@@ -64,8 +63,8 @@ sylph::MissionPlan planFromJson(const json& object, std::uint32_t plan_id) {
   const json& partners = object.at("partners");
   const json& svo_deg = object.at("svo_deg");
   for (std::size_t step = 0; step < partners.size(); ++step) {
-    sylph::SocialState social;
-    social.partners = partners.at(step).get<std::vector<sylph::AgentId>>();
+    SocialState social;
+    social.partners = partners.at(step).get<std::vector<AgentId>>();
     for (const json& value : svo_deg.at(step)) {
       social.svo_deg.push_back(value.is_null() ? std::numeric_limits<float>::quiet_NaN()
                                                : value.get<float>());
@@ -146,7 +145,7 @@ Enumerator wordOf(const json& object, const char* key) {
   throw std::runtime_error("unknown " + std::string(key) + " '" + word + "'");
 }
 
-using What = sylph::ExecutionEvent::What;
+using What = ExecutionEvent::What;
 
 What whatFromJson(const json& object, std::uint32_t plan_id,
                   const std::vector<std::string>& names) {
@@ -154,7 +153,7 @@ What whatFromJson(const json& object, std::uint32_t plan_id,
   const auto reason = [&] { return object.at("reason").get<std::string>(); };
   if (name == "plan") {
     return event::Started{
-        std::make_shared<const sylph::MissionPlan>(planFromJson(object.at("plan"), plan_id))};
+        std::make_shared<const MissionPlan>(planFromJson(object.at("plan"), plan_id))};
   }
   if (name == "refused") {
     return event::Refused{reason()};
@@ -173,41 +172,41 @@ What whatFromJson(const json& object, std::uint32_t plan_id,
   }
   if (name == "condition") {
     return event::Condition{robotOf(object, names),
-                            wordOf<sylph::RobotCondition>(object, "condition"), reason()};
+                            wordOf<RobotCondition>(object, "condition"), reason()};
   }
   if (name == "lost") {
     return event::Lost{robotOf(object, names), reason()};
   }
   if (name == "mode") {
-    return event::Mode{wordOf<sylph::ExecutionMode>(object, "mode"), reason()};
+    return event::Mode{wordOf<ExecutionMode>(object, "mode"), reason()};
   }
   if (name == "phase") {
-    return event::Phase{wordOf<sylph::ExecutionPhase>(object, "phase")};
+    return event::Phase{wordOf<ExecutionPhase>(object, "phase")};
   }
   throw std::runtime_error("unknown event '" + name + "'");
 }
 
 }  // namespace
 
-json toJson(const sylph::ExecutionEvent& event, double stamp_s,
-            const std::vector<std::string>& names) {
-  json object = {{"stamp", stamp_s}, {"plan_id", event.plan_id}};
-  std::visit(ToJson{object, names}, event.what);
-  return object;
+std::string toLine(const StampedEvent& entry, const std::vector<std::string>& names) {
+  json object = {{"stamp", entry.stamp_s}, {"plan_id", entry.event.plan_id}};
+  std::visit(ToJson{object, names}, entry.event.what);
+  return object.dump();
 }
 
-sylph::ExecutionEvent eventFromJson(const json& object, const std::vector<std::string>& names) {
-  if (object.contains("number")) {
-    throw std::runtime_error(
-        "written by an earlier version of the suite, whose events had a 'number': "
-        "start with a new run folder");
-  }
+StampedEvent eventFromLine(const std::string& line, const std::vector<std::string>& names) {
   try {
+    const json object = json::parse(line);
+    if (object.contains("number")) {
+      throw std::runtime_error(
+          "written by an earlier version of the suite, whose events had a 'number': "
+          "start with a new run folder");
+    }
     const auto plan_id = object.at("plan_id").get<std::uint32_t>();
-    return {plan_id, whatFromJson(object, plan_id, names)};
+    return {object.at("stamp").get<double>(), {plan_id, whatFromJson(object, plan_id, names)}};
   } catch (const json::exception& error) {
     throw std::runtime_error(error.what());
   }
 }
 
-}  // namespace sylph_adg_central
+}  // namespace sylph
