@@ -4,6 +4,7 @@
 #include <cmath>
 #include <ctime>
 
+#include "sylph_adg_central/result_file.hpp"
 #include "sylph_core/adg/explanation.hpp"
 #include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
@@ -286,7 +287,7 @@ void CentralNode::publishState() {
 void CentralNode::saveResult() {
   is_result_due_ = false;
   const double cell_s = experiment_.cell_size_m / experiment_.execution.speed_limit_mps;
-  const RunResult result = record_.result(execution_, cell_s);
+  const sylph::RunResult result = record_.result(execution_, cell_s);
   writeResult(result, folder_.result());
   ROS_INFO("%s: %s", folder_.result().c_str(), result.message.c_str());
 }

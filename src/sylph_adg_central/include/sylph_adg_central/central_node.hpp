@@ -16,8 +16,8 @@
 #include "sylph_adg_central/event_log.hpp"
 #include "sylph_adg_central/options.hpp"
 #include "sylph_adg_central/run_folder.hpp"
-#include "sylph_adg_central/run_record.hpp"
 #include "sylph_core/adg/execution.hpp"
+#include "sylph_core/adg/run_record.hpp"
 #include "sylph_core/control/safety_margin.hpp"
 #include "sylph_ros/steady_clock.hpp"
 
@@ -68,7 +68,7 @@ class CentralNode {
   RunFolder folder_;
   EventLog log_;
   sylph::Execution execution_;
-  RunRecord record_;
+  sylph::RunRecord record_;
   bool is_emergency_ = false;
   std::string emergency_reason_ = "the separation monitor stops all robots";
   bool has_changed_ = true;     ///< since the last AdgState

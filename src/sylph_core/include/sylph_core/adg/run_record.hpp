@@ -4,13 +4,13 @@
 #include <optional>
 #include <string>
 
-#include "sylph_adg_central/event_log.hpp"
 #include "sylph_core/adg/execution.hpp"
-#include "sylph_core/execution/mission_plan.hpp"
+#include "sylph_core/execution/event_line.hpp"
+#include "sylph_core/execution/states.hpp"
 
-namespace sylph_adg_central {
+namespace sylph {
 
-/// What `result.yaml` says of a mission.
+/// What there is to say of a mission when it is over.
 struct RunResult {
   bool success = false;  ///< every robot is on its goal, and ground truth, if heard, saw no contact
   std::string message;   ///< how it ended
@@ -30,13 +30,10 @@ struct RunResult {
   std::optional<std::uint32_t> collisions;  ///< of the ground truth of a simulation
 };
 
-/// @throws std::runtime_error if the file cannot be written
-void writeResult(const RunResult& result, const std::string& path);
-
 /// Sums up a mission from what happens, and from what happened before a restart.
 class RunRecord {
  public:
-  void add(const sylph::StampedEvent& entry);
+  void add(const StampedEvent& entry);
   void addTrackingError(double error_m);
   void setMinSeparation(double separation_m) { min_separation_m_ = separation_m; }
   void setCollisions(std::uint32_t collisions) { collisions_ = collisions; }
@@ -45,7 +42,7 @@ class RunRecord {
   double elapsed(double stamp_s, bool is_over) const;
 
   /// @param cell_s  time for one cell at the speed limit [s]
-  RunResult result(const sylph::Execution& execution, double cell_s) const;
+  RunResult result(const Execution& execution, double cell_s) const;
 
  private:
   std::optional<double> first_released_s_;
@@ -53,10 +50,10 @@ class RunRecord {
   double planning_s_ = 0.0;
   int replans_ = 0;
   int stops_ = 0;
-  sylph::ExecutionMode mode_ = sylph::ExecutionMode::Run;
+  ExecutionMode mode_ = ExecutionMode::Run;
   double max_tracking_error_m_ = 0.0;
   std::optional<double> min_separation_m_;
   std::optional<std::uint32_t> collisions_;
 };
 
-}  // namespace sylph_adg_central
+}  // namespace sylph
