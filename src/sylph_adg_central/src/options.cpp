@@ -1,22 +1,12 @@
 #include "sylph_adg_central/options.hpp"
 
-#include <algorithm>
 #include <limits>
 
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_ros/parameters.hpp"
 
 namespace sylph_adg_central {
 namespace {
-
-/// How far off the centre of its start cell a robot may stand without reaching into the next one.
-double startOffset(const sylph::Experiment& experiment) {
-  double offset_m = experiment.cell_size_m / 2.0;
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    const double reach_m = std::max(robot.length_m, robot.width_m) / 2.0;
-    offset_m = std::min(offset_m, experiment.cell_size_m / 2.0 - reach_m);
-  }
-  return offset_m;
-}
 
 void readPositive(const ros::NodeHandle& nh, const std::string& name, double& value) {
   sylph_ros::read(nh, name, value);
@@ -42,7 +32,7 @@ CentralOptions loadCentralOptions(const ros::NodeHandle& private_nh,
   sylph_ros::read(private_nh, "lost_after_s", limits.lost_after_s);
   sylph_ros::requireInRange(private_nh, "lost_after_s", limits.lost_after_s, 0.0,
                             std::numeric_limits<double>::max());
-  limits.start_offset_m = startOffset(experiment);
+  limits.start_offset_m = sylph::largestStartOffset(experiment);
   return options;
 }
 

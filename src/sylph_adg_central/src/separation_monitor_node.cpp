@@ -13,34 +13,20 @@
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_adg_central {
-namespace {
-
-std::vector<sylph::Footprint> footprintsOf(const sylph::Experiment& experiment) {
-  std::vector<sylph::Footprint> footprints;
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    sylph::Footprint footprint;
-    footprint.length_m = robot.length_m;
-    footprint.width_m = robot.width_m;
-    footprints.push_back(footprint);
-  }
-  return footprints;
-}
-
-}  // namespace
 
 SeparationMonitorOptions loadSeparationMonitorOptions(const ros::NodeHandle& private_nh,
                                                       const sylph::Experiment& experiment) {
   sylph_ros::requireKnown(private_nh, {"limit_m", "confirmations", "rate_hz", "pose_timeout_s"});
   const sylph::SafetyMargin margin = sylph::requireSafetyMargin(experiment);
   SeparationMonitorOptions options;
-  options.limits.limit_m = 0.0;
-  sylph_ros::read(private_nh, "limit_m", options.limits.limit_m);
+  options.limits = sylph::separationLimits(experiment);
+  double limit_m = 0.0;
+  sylph_ros::read(private_nh, "limit_m", limit_m);
   // Robots that keep to their tolerances come as close as the margin says. Stopping them for that
   // would be a mistake as well.
-  sylph_ros::requireInRange(private_nh, "limit_m", options.limits.limit_m, 0.0,
-                            margin.promisedSeparation());
-  if (options.limits.limit_m == 0.0) {
-    options.limits.limit_m = margin.promisedSeparation() / 2.0;
+  sylph_ros::requireInRange(private_nh, "limit_m", limit_m, 0.0, margin.promisedSeparation());
+  if (limit_m > 0.0) {
+    options.limits.limit_m = limit_m;
   }
   sylph_ros::read(private_nh, "confirmations", options.limits.confirmations);
   sylph_ros::requireInRange(private_nh, "confirmations", options.limits.confirmations, 1, 100);
@@ -48,8 +34,6 @@ SeparationMonitorOptions loadSeparationMonitorOptions(const ros::NodeHandle& pri
   sylph_ros::requirePositive(private_nh, "rate_hz", options.rate_hz);
   sylph_ros::read(private_nh, "pose_timeout_s", options.pose_timeout_s);
   sylph_ros::requirePositive(private_nh, "pose_timeout_s", options.pose_timeout_s);
-  options.limits.command_latency_s = experiment.execution.command_latency_s;
-  options.limits.acceleration_limit_mps2 = experiment.execution.acceleration_limit_mps2;
   return options;
 }
 
@@ -59,7 +43,7 @@ SeparationMonitorNode::SeparationMonitorNode(const ros::NodeHandle& nh,
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       experiment_(sylph_ros::loadExperiment(nh)),
       options_(loadSeparationMonitorOptions(private_nh, experiment_)),
-      watch_(footprintsOf(experiment_), options_.limits),
+      watch_(sylph::footprintsOf(experiment_), options_.limits),
       received_s_(experiment_.robots.size()),
       diagnostics_(nh, private_nh) {
   ROS_INFO("robots are stopped below a gap of %.1f mm", options_.limits.limit_m * 1e3);

@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "sylph_core/experiment/experiment_control.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/parameters.hpp"
 #include "sylph_ros/topics.hpp"
@@ -49,25 +50,6 @@ void requireMember(const sylph::Experiment& experiment, const std::string& robot
   }
   throw std::runtime_error("robot " + robot + ": not in " + experiment.path + ", which has " +
                            names);
-}
-
-/// What all nodes share.
-void apply(const sylph::ExecutionSpec& execution, sylph::RobotControllerOptions& controller) {
-  controller.cell_margin_m = execution.tracking_error_m;
-  controller.limits.speed_mps = execution.speed_limit_mps;
-  controller.limits.turn_rate_radps = execution.turn_rate_limit_radps;
-  controller.follower.speed_limit_mps = execution.speed_limit_mps;
-  controller.follower.acceleration_limit_mps2 = execution.acceleration_limit_mps2;
-  controller.follower.heading_tolerance_rad = execution.heading_tolerance_rad;
-  controller.follower.tracking_error_m = execution.tracking_error_m;
-  controller.follower.heading.output_limit = execution.turn_rate_limit_radps;
-  controller.arrival.position_tolerance_m = execution.position_tolerance_m;
-  controller.arrival.heading_tolerance_rad = execution.heading_tolerance_rad;
-  controller.arrival.tracking_error_m = execution.tracking_error_m;
-  controller.arrival.acceleration_limit_mps2 = execution.acceleration_limit_mps2;
-  controller.watch.timeout_s = execution.pose_timeout_s;
-  controller.watch.speed_limit_mps = execution.speed_limit_mps;
-  controller.watch.turn_rate_limit_radps = execution.turn_rate_limit_radps;
 }
 
 void readController(const ros::NodeHandle& nh, sylph::RobotControllerOptions& controller) {
@@ -148,7 +130,7 @@ Options loadOptions(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh
   options.grid = experiment.grid;
   options.cell_size_m = experiment.cell_size_m;
   options.corner = experiment.corner;
-  apply(experiment.execution, options.controller);
+  options.controller = sylph::controllerOptionsFor(experiment.execution);
   readController(private_nh, options.controller);
   readNumber(private_nh, {"control_rate_hz", &options.control_rate_hz, 10.0, 500.0});
   readNumber(private_nh, {"report_rate_hz", &options.report_rate_hz, 1.0, options.control_rate_hz});

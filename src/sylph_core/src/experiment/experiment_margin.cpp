@@ -37,4 +37,33 @@ SafetyMargin requireSafetyMargin(const Experiment& experiment) {
   throw std::runtime_error(experiment.path + ": no safety margin: " + margin.summary() + changes);
 }
 
+double largestStartOffset(const Experiment& experiment) {
+  double offset_m = experiment.cell_size_m / 2.0;
+  for (const RobotSpec& robot : experiment.robots) {
+    const double reach_m = std::max(robot.length_m, robot.width_m) / 2.0;
+    offset_m = std::min(offset_m, experiment.cell_size_m / 2.0 - reach_m);
+  }
+  return offset_m;
+}
+
+std::vector<Footprint> footprintsOf(const Experiment& experiment) {
+  std::vector<Footprint> footprints;
+  for (const RobotSpec& robot : experiment.robots) {
+    Footprint footprint;
+    footprint.length_m = robot.length_m;
+    footprint.width_m = robot.width_m;
+    footprints.push_back(footprint);
+  }
+  return footprints;
+}
+
+SeparationLimits separationLimits(const Experiment& experiment) {
+  SeparationLimits limits;
+  // Robots that keep to their tolerances come as close as the margin says.
+  limits.limit_m = requireSafetyMargin(experiment).promisedSeparation() / 2.0;
+  limits.command_latency_s = experiment.execution.command_latency_s;
+  limits.acceleration_limit_mps2 = experiment.execution.acceleration_limit_mps2;
+  return limits;
+}
+
 }  // namespace sylph

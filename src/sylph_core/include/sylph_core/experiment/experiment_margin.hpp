@@ -1,6 +1,10 @@
 #pragma once
 
+#include <vector>
+
+#include "sylph_core/control/footprint.hpp"
 #include "sylph_core/control/safety_margin.hpp"
+#include "sylph_core/control/separation.hpp"
 #include "sylph_core/experiment/experiment.hpp"
 
 namespace sylph {
@@ -10,5 +14,16 @@ SafetyFactors safetyFactors(const Experiment& experiment);
 
 /// @throws std::runtime_error unless the verdict is Run, naming the file and what to change
 SafetyMargin requireSafetyMargin(const Experiment& experiment);
+
+/// How far off the centre of its start cell a robot may stand without reaching into the next one
+/// [m].
+double largestStartOffset(const Experiment& experiment);
+
+/// Length and width of each robot; where they are is not set.
+std::vector<Footprint> footprintsOf(const Experiment& experiment);
+
+/// When its robots are too close.
+/// @throws std::runtime_error as requireSafetyMargin()
+SeparationLimits separationLimits(const Experiment& experiment);
 
 }  // namespace sylph

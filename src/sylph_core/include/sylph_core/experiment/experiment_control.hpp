@@ -1,0 +1,11 @@
+#pragma once
+
+#include "sylph_core/control/robot_controller.hpp"
+#include "sylph_core/experiment/experiment.hpp"
+
+namespace sylph {
+
+/// A controller with what all nodes share; the rest keeps its defaults.
+RobotControllerOptions controllerOptionsFor(const ExecutionSpec& execution);
+
+}  // namespace sylph
