@@ -16,18 +16,13 @@
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_robot_node {
-namespace {
-
-/// Stamps of another machine may run a little ahead of this one's clock.
-constexpr double kStampAhead_s = 0.05;
-
-}  // namespace
 
 RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : options_(loadOptions(nh, private_nh)),
       clock_(sylph_ros::SteadyClock::fromParameter(sylph_ros::suiteHandle(nh))),
       frame_(options_.grid, options_.cell_size_m, options_.corner),
       controller_(options_.controller, options_.grid, frame_),
+      reporter_(options_.report_rate_hz),
       nh_(nh),
       updater_(nh, private_nh) {
   catchShutdownSignals();
@@ -67,7 +62,7 @@ void RobotNode::onTask(const sylph_msgs::Task& message) {
   } else if (!answer.reason.empty()) {
     ROS_DEBUG("%s", answer.reason.c_str());
   }
-  reportChange(now_s);
+  report(now_s);
 }
 
 void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
@@ -79,12 +74,9 @@ void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
     return;  // somebody else's, not a failed measurement
   }
   const double now_s = clock_.now();
-  double age_s = (ros::Time::now() - message.header.stamp).toSec();
-  if (age_s > -kStampAhead_s) {
-    age_s = std::max(0.0, age_s);
-  }
-  controller_.onPose({judged.pose, message.header.stamp.toSec(), now_s - age_s, now_s});
-  reportChange(now_s);
+  const double age_s = (ros::Time::now() - message.header.stamp).toSec();
+  controller_.onPose(sylph::timedPose(judged.pose, message.header.stamp.toSec(), age_s, now_s));
+  report(now_s);
 }
 
 void RobotNode::onAdgState(const sylph_msgs::AdgState& message) {
@@ -106,12 +98,8 @@ void RobotNode::onTick() {
     return;
   }
   command_publisher_.publish(toMessage(controller_.update(now_s)));
-  if (now_s - reported_s_ >= 1.0 / options_.report_rate_hz) {
-    report(now_s);
-    updater_.update();
-  } else {
-    reportChange(now_s);
-  }
+  report(now_s);
+  updater_.update();
   if (ticked_s_) {
     largest_tick_s_ = std::max(largest_tick_s_, now_s - *ticked_s_);
   }
@@ -130,40 +118,30 @@ void RobotNode::goDown(double now_s) {
 }
 
 void RobotNode::report(double now_s) {
-  publish(controller_.report(now_s), now_s);
-}
-
-void RobotNode::reportChange(double now_s) {
-  const sylph::RobotReport now = controller_.report(now_s);
-  if (!sylph::tellTheSame(now, last_report_)) {
-    publish(now, now_s);
+  const auto report = reporter_.offer(controller_.report(now_s), now_s);
+  if (!report) {
+    return;
   }
-}
-
-void RobotNode::publish(const sylph::RobotReport& report, double now_s) {
-  const std::uint32_t report_id = last_report_.report_id + 1;
-  last_report_ = report;
-  last_report_.report_id = report_id;
-  sylph_msgs::TaskReport message = sylph_ros::toMessage(last_report_);
+  sylph_msgs::TaskReport message = sylph_ros::toMessage(*report);
   message.robot_id = options_.robot;
   message.header.stamp = ros::Time::now();
   message.header.frame_id = sylph_ros::kMapFrame;
   report_publisher_.publish(message);
-  reported_s_ = now_s;
 }
 
 void RobotNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const {
-  const bool is_well = last_report_.state == sylph::RobotState::Idle ||
-                       last_report_.state == sylph::RobotState::Moving;
+  const sylph::RobotReport& report = reporter_.last();
+  const bool is_well =
+      report.state == sylph::RobotState::Idle || report.state == sylph::RobotState::Moving;
   status.summary(
       is_well ? diagnostic_msgs::DiagnosticStatus::OK : diagnostic_msgs::DiagnosticStatus::WARN,
-      last_report_.detail.empty() ? "driving" : last_report_.detail);
-  status.add("plan", last_report_.plan_id);
-  status.add("tasks accepted", last_report_.accepted);
-  status.add("tasks done", last_report_.done);
-  status.add("tracking error [m]", last_report_.tracking_error_m);
-  status.add("heading error [rad]", last_report_.heading_error_rad);
-  status.add("pose age [s]", last_report_.pose_age_s);
+      report.detail.empty() ? "driving" : report.detail);
+  status.add("plan", report.plan_id);
+  status.add("tasks accepted", report.accepted);
+  status.add("tasks done", report.done);
+  status.add("tracking error [m]", report.tracking_error_m);
+  status.add("heading error [rad]", report.heading_error_rad);
+  status.add("pose age [s]", report.pose_age_s);
   status.add("longest control period [s]", largest_tick_s_);
 }
 

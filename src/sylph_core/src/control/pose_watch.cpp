@@ -16,6 +16,9 @@ constexpr double kLongestGap_s = 0.3;
 // Stamps that go back by more are of a motion capture that started again.
 constexpr double kClockRestart_s = 0.5;
 
+// Stamps of another machine may run a little ahead of this one's clock.
+constexpr double kStampAhead_s = 0.05;
+
 std::string text(const char* format, double value) {
   char buffer[96];
   std::snprintf(buffer, sizeof(buffer), format, value);
@@ -23,6 +26,11 @@ std::string text(const char* format, double value) {
 }
 
 }  // namespace
+
+TimedPose timedPose(const Pose2d& pose, double stamp_s, double age_s, double received_s) {
+  const double true_age_s = age_s > -kStampAhead_s ? std::max(0.0, age_s) : age_s;
+  return {pose, stamp_s, received_s - true_age_s, received_s};
+}
 
 PoseWatch::PoseWatch(const PoseWatchOptions& options) : options_(options) {
   const bool is_valid = options.timeout_s > 0.0 && options.speed_limit_mps > 0.0 &&

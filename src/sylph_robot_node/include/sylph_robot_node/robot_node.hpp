@@ -13,6 +13,7 @@
 #include <optional>
 
 #include "sylph_core/control/robot_controller.hpp"
+#include "sylph_core/control/robot_reporter.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 #include "sylph_robot_node/options.hpp"
 #include "sylph_ros/steady_clock.hpp"
@@ -32,15 +33,14 @@ class RobotNode {
   void onEmergencyStop(const std_msgs::Bool& message);
   void onTick();
   void goDown(double now_s);
-  void report(double now_s);
-  void reportChange(double now_s);
-  void publish(const sylph::RobotReport& report, double now_s);
+  void report(double now_s);  ///< if it is time for it
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
 
   Options options_;
   sylph_ros::SteadyClock clock_;
   sylph::CellFrame frame_;
   sylph::RobotController controller_;
+  sylph::RobotReporter reporter_;
   ros::NodeHandle nh_;
   ros::Publisher command_publisher_;
   ros::Publisher report_publisher_;
@@ -50,8 +50,6 @@ class RobotNode {
   ros::Subscriber emergency_subscriber_;
   diagnostic_updater::Updater updater_;
   ros::SteadyTimer timer_;
-  sylph::RobotReport last_report_;
-  double reported_s_ = 0.0;
   double largest_tick_s_ = 0.0;  // of the time between two ticks, since the last diagnosis
   std::optional<double> ticked_s_;
   std::optional<double> shutdown_since_s_;

@@ -28,6 +28,10 @@ struct TimedPose {
   double received_s = 0.0;
 };
 
+/// A pose that comes now.
+/// @param age_s  since it was true, by clocks of two machines: a little below 0 counts as 0
+TimedPose timedPose(const Pose2d& pose, double stamp_s, double age_s, double received_s);
+
 enum class PoseVerdict {
   Good,
   Repeated,  ///< stamp not newer than the last one's
