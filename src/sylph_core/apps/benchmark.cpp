@@ -9,10 +9,10 @@
 #include <string>
 #include <vector>
 
-#include "progress_bar.hpp"
-#include "run_command.hpp"
 #include "sylph_core/benchmark/run_benchmark.hpp"
 #include "sylph_core/benchmark/suite.hpp"
+#include "sylph_core/command/progress_bar.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "weights_option.hpp"
 
 namespace {

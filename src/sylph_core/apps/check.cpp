@@ -6,7 +6,7 @@
 #include <string>
 
 #include "instance_options.hpp"
-#include "run_command.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 #include "sylph_core/mapf/metrics.hpp"
 #include "sylph_core/mapf/plan_file.hpp"

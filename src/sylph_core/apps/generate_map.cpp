@@ -7,7 +7,7 @@
 #include <optional>
 #include <string>
 
-#include "run_command.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "sylph_core/grid/generators.hpp"
 #include "sylph_core/grid/map_file.hpp"
 #include "sylph_core/mapf/random_instance.hpp"

@@ -10,8 +10,8 @@
 #include <string>
 
 #include "instance_options.hpp"
-#include "run_command.hpp"
 #include "sylph_core/benchmark/evaluation.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_core/planners/planner.hpp"
 #include "weights_option.hpp"

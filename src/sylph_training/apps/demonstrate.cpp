@@ -1,7 +1,7 @@
 #include <CLI/CLI.hpp>
 #include <iostream>
 
-#include "apps/run_command.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "sylph_training/run/training_settings.hpp"
 
 namespace {

@@ -4,7 +4,7 @@
 #include <iostream>
 #include <stdexcept>
 
-#include "apps/run_command.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "sylph_training/run/policy_meters.hpp"
 
 namespace {

@@ -5,7 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
-#include "apps/run_command.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "sylph_core/policy/tensor_file.hpp"
 #include "sylph_training/run/threads.hpp"
 #include "sylph_training/run/training_settings.hpp"

@@ -5,7 +5,7 @@
 #include <csignal>
 #include <iostream>
 
-#include "apps/run_command.hpp"
+#include "sylph_core/command/run_command.hpp"
 #include "sylph_training/run/trainer.hpp"
 
 namespace {
