@@ -1,0 +1,161 @@
+#include "rehearsal_report.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <functional>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+namespace sylph_rehearsal {
+namespace {
+
+template <typename... Values>
+std::string format(const char* pattern, Values... values) {
+  char text[256];
+  std::snprintf(text, sizeof(text), pattern, values...);
+  return text;
+}
+
+/// The value below which a share of all lies, by the nearest rank.
+double quantile(const std::vector<double>& sorted, double share) {
+  const auto rank = static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5);
+  return sorted[rank];
+}
+
+struct Figure {
+  const char* name;
+  std::function<std::optional<double>(const Rehearsal&)> of;
+};
+
+std::vector<Figure> figures() {
+  const auto ratio = [](const Rehearsal& run) -> std::optional<double> {
+    if (run.ending != Ending::Finished || run.result.ideal_execution_s <= 0.0) {
+      return std::nullopt;
+    }
+    return run.result.execution_s / run.result.ideal_execution_s;
+  };
+  const auto gap_mm = [](const Rehearsal& run) -> std::optional<double> {
+    return run.result.min_separation_m ? std::make_optional(*run.result.min_separation_m * 1e3)
+                                       : std::nullopt;
+  };
+  const auto finished_s = [](const Rehearsal& run) {
+    return run.ending == Ending::Finished ? std::make_optional(run.result.execution_s)
+                                          : std::nullopt;
+  };
+  return {{"execution [s]", finished_s},
+          {"execution / ideal", ratio},
+          {"plan [steps]", [](const Rehearsal& run) { return double(run.result.plan_steps); }},
+          {"closest [mm]", gap_mm},
+          {"tracking error [mm]",
+           [](const Rehearsal& run) { return run.result.max_tracking_error_m * 1e3; }}};
+}
+
+std::map<Ending, int> countEndings(const std::vector<Rehearsal>& runs) {
+  std::map<Ending, int> counts;
+  for (const Rehearsal& run : runs) {
+    ++counts[run.ending];
+  }
+  return counts;
+}
+
+/// Seconds a run, by pair of robots, the longest first.
+std::vector<std::pair<double, std::string>> waits(const sylph::Experiment& experiment,
+                                                  const std::vector<Rehearsal>& runs) {
+  std::map<std::pair<int, int>, double> sums;
+  for (const Rehearsal& run : runs) {
+    for (const WaitingTime& wait : run.waits) {
+      sums[{wait.robot, wait.blocker}] += wait.duration_s;
+    }
+  }
+  std::vector<std::pair<double, std::string>> sorted;
+  const auto name = [&](int robot) { return experiment.robots[std::size_t(robot)].name; };
+  for (const auto& [pair, sum_s] : sums) {
+    sorted.emplace_back(sum_s / static_cast<double>(runs.size()),
+                        name(pair.first) + " for " + name(pair.second));
+  }
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto& a, const auto& b) { return a.first > b.first; });
+  return sorted;
+}
+
+}  // namespace
+
+std::string toTable(const sylph::Experiment& experiment, const std::vector<Rehearsal>& runs) {
+  constexpr std::size_t kMostLines = 10;
+  std::string text = experiment.name + ": " + std::to_string(experiment.robots.size()) +
+                     " robots, " + std::to_string(runs.size()) +
+                     (runs.size() == 1 ? " run" : " runs") + "\n";
+  auto counts = countEndings(runs);
+  text += format("finished %d, stopped %d, violated %d\n\n", counts[Ending::Finished],
+                 counts[Ending::Stopped], counts[Ending::Violated]);
+  text += format("%-20s %9s %9s %9s %9s\n", "", "least", "median", "90 %", "most");
+  for (const Figure& figure : figures()) {
+    std::vector<double> values;
+    for (const Rehearsal& run : runs) {
+      if (const auto value = figure.of(run)) {
+        values.push_back(*value);
+      }
+    }
+    if (values.empty()) {
+      continue;
+    }
+    std::sort(values.begin(), values.end());
+    text += format("%-20s %9.2f %9.2f %9.2f %9.2f\n", figure.name, values.front(),
+                   quantile(values, 0.5), quantile(values, 0.9), values.back());
+  }
+  const auto longest = waits(experiment, runs);
+  if (!longest.empty()) {
+    text += "\nwaits, seconds a run\n";
+  }
+  for (std::size_t i = 0; i < std::min(kMostLines, longest.size()); ++i) {
+    text += format("%7.1f  %s\n", longest[i].first, longest[i].second.c_str());
+  }
+  std::size_t told = 0;
+  for (const Rehearsal& run : runs) {
+    if (run.ending == Ending::Finished || ++told > kMostLines) {
+      continue;
+    }
+    text += told == 1 ? "\n" : "";
+    text += "seed " + std::to_string(run.seed) + " " + toString(run.ending) +
+            format(" after %.1f s: ", run.lab_s) + run.cause + "\n";
+  }
+  if (told > kMostLines) {
+    text += "and " + std::to_string(told - kMostLines) + " more\n";
+  }
+  return text;
+}
+
+std::string toJson(const sylph::Experiment& experiment, const std::vector<Rehearsal>& runs) {
+  nlohmann::ordered_json line;
+  auto counts = countEndings(runs);
+  line["experiment"] = experiment.name;
+  line["robots"] = experiment.robots.size();
+  line["finished"] = counts[Ending::Finished];
+  line["stopped"] = counts[Ending::Stopped];
+  line["violated"] = counts[Ending::Violated];
+  line["runs"] = nlohmann::ordered_json::array();
+  for (const Rehearsal& run : runs) {
+    nlohmann::ordered_json entry;
+    entry["seed"] = run.seed;
+    entry["ending"] = toString(run.ending);
+    entry["cause"] = run.cause;
+    entry["arrived"] = run.result.arrived;
+    entry["plan_steps"] = run.result.plan_steps;
+    entry["sum_of_costs"] = run.result.sum_of_costs;
+    entry["execution_s"] = run.result.execution_s;
+    entry["ideal_execution_s"] = run.result.ideal_execution_s;
+    entry["min_separation_m"] = nullptr;
+    if (run.result.min_separation_m) {
+      entry["min_separation_m"] = *run.result.min_separation_m;
+    }
+    entry["max_tracking_error_m"] = run.result.max_tracking_error_m;
+    entry["replans"] = run.result.replans;
+    entry["stops"] = run.result.stops;
+    entry["lab_s"] = run.lab_s;
+    line["runs"].push_back(std::move(entry));
+  }
+  return line.dump();
+}
+
+}  // namespace sylph_rehearsal

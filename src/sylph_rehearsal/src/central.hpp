@@ -1,0 +1,69 @@
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/adg/execution.hpp"
+#include "sylph_core/adg/run_record.hpp"
+#include "sylph_core/execution/adg_state.hpp"
+#include "sylph_core/experiment/experiment.hpp"
+#include "sylph_rehearsal/event_queue.hpp"
+
+namespace sylph_rehearsal {
+
+/// The central node. Its event log outlives it; everything else is lost when it ends.
+class Central {
+ public:
+  struct Ports {
+    std::function<void(const sylph::TaskOrder&)> task;
+    std::function<void(sylph::ExecutionMode)> mode;     ///< to the robots, as part of AdgState
+    std::function<void(const sylph::AdgState&)> state;  ///< to the planner
+    std::function<void(const sylph::ExecutionEvent&)> event;  ///< told to nobody but the oracle
+  };
+
+  /// @param experiment, queue  have to outlive it
+  Central(const sylph::Experiment& experiment, const sylph::ExecutionLimits& limits,
+          double heartbeat_period_s, EventQueue& queue, Ports ports);
+
+  /// Starts, and goes on from its log.
+  void start();
+  void crash();
+  bool isUp() const { return execution_.has_value(); }
+
+  void onPlan(const sylph::MissionPlan& plan);
+  void onReport(int robot, const sylph::RobotReport& report);
+  /// @param reason  what the separation monitor says
+  void onEmergencyStop(bool is_pressed, const std::string& reason);
+  /// @return false if the emergency stop is still pressed, or the node is down
+  bool setMode(sylph::ExecutionMode mode, const std::string& reason);
+  void declareLost(int robot, const std::string& reason);
+
+  /// Nothing while it is down.
+  const sylph::Execution* execution() const { return execution_ ? &*execution_ : nullptr; }
+  const std::vector<std::string>& log() const { return log_; }
+  /// Of the run so far.
+  sylph::RunRecord& record() { return record_; }
+
+ private:
+  void tick(int life);
+  void flush();
+  void publishMode();
+
+  const sylph::Experiment* experiment_;
+  sylph::ExecutionLimits limits_;
+  double heartbeat_period_s_;
+  EventQueue* queue_;
+  Ports ports_;
+  std::vector<std::string> names_;
+  std::vector<std::string> log_;
+  std::optional<sylph::Execution> execution_;
+  sylph::RunRecord record_;
+  bool is_emergency_ = false;
+  bool has_changed_ = true;  // since the last AdgState
+  double state_sent_s_ = 0.0;
+  int life_ = 0;
+};
+
+}  // namespace sylph_rehearsal

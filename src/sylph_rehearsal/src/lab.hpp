@@ -1,0 +1,74 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "bridge.hpp"
+#include "central.hpp"
+#include "mission_planner.hpp"
+#include "monitor.hpp"
+#include "oracle.hpp"
+#include "robot.hpp"
+#include "sylph_rehearsal/event_queue.hpp"
+#include "sylph_rehearsal/link.hpp"
+#include "sylph_rehearsal/rehearsal.hpp"
+
+namespace sylph_rehearsal {
+
+/// All nodes of the lab, what is between them, and the simulated robots and cameras.
+class Lab {
+ public:
+  Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
+      const std::shared_ptr<const sylph::Policy>& policy);
+  Lab(const Lab&) = delete;
+  Lab& operator=(const Lab&) = delete;
+
+  /// To the end.
+  Rehearsal run();
+
+ private:
+  /// The ways of one robot's messages.
+  struct RobotLinks {
+    Link poses;
+    Link tasks;
+    Link state;
+    Link reports;
+    Link emergency;
+  };
+
+  sylph::Rng seeded(std::uint32_t part) const;
+  void makeLinks();
+  void makeRobots();
+  void start();
+  void step();
+  void onPose(std::size_t robot, const sylph::Pose2d& pose, double stamp_s);
+  void onEmergencyStop(bool is_pressed, const std::string& reason);
+  void onEvent(const sylph::ExecutionEvent& event);
+  void noteWaits();
+  bool goesOn();
+  std::string causeOfStop() const;
+  Rehearsal summary();
+
+  sylph::Experiment experiment_;
+  RehearsalOptions options_;
+  EventQueue queue_;
+  sylph_sim::Simulation simulation_;
+  RobotSetup setup_;
+  std::vector<RobotLinks> links_;
+  Link to_planner_;
+  Link to_central_;
+  Link to_monitor_;
+  std::vector<std::unique_ptr<Robot>> robots_;
+  Central central_;
+  Bridge bridge_;
+  Monitor monitor_;
+  MissionPlanner planner_;
+  Oracle oracle_;
+  double progress_s_;  // when something was done last
+  bool is_over_ = false;
+  std::vector<double> waits_s_;  // of each robot for each other one, row by row
+};
+
+}  // namespace sylph_rehearsal

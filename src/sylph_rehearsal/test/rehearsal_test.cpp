@@ -1,0 +1,88 @@
+#include "sylph_rehearsal/rehearsal.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+#include <string>
+
+#include "sylph_rehearsal/seeds.hpp"
+
+namespace sylph_rehearsal {
+namespace {
+
+/// Of a lab map, planned without a policy: this is about carrying plans out.
+sylph::Experiment labExperiment(const std::string& name, std::uint32_t seed) {
+  sylph::Experiment experiment =
+      experimentOf(std::string(MAPS_DIR) + "/" + name + ".yaml", seed, 0);
+  experiment.planning.planner = "lacam";
+  return experiment;
+}
+
+class LabMapTest : public testing::TestWithParam<const char*> {};
+
+TEST_P(LabMapTest, IsCarriedOutFromStartToGoal) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const Rehearsal run = rehearse(labExperiment(GetParam(), seed), {}, nullptr);
+    EXPECT_EQ(Ending::Finished, run.ending) << run.cause;
+    EXPECT_EQ(8, run.result.arrived);
+    EXPECT_GT(*run.result.min_separation_m, 0.02);
+    EXPECT_LT(run.result.max_tracking_error_m, 0.012);
+    EXPECT_GE(run.result.execution_s, run.result.ideal_execution_s);
+    EXPECT_LT(run.result.execution_s, 1.5 * run.result.ideal_execution_s);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Lab, LabMapTest, testing::Values("lab_random", "lab_room", "lab_maze"));
+
+TEST(RehearsalTest, TheSameSeedGivesTheSameEventLog) {
+  const Rehearsal once = rehearse(labExperiment("lab_room", 3), {}, nullptr);
+  const Rehearsal again = rehearse(labExperiment("lab_room", 3), {}, nullptr);
+  EXPECT_GT(once.event_log.size(), 100u);
+  EXPECT_EQ(once.event_log, again.event_log);
+  EXPECT_EQ(once.result.min_separation_m, again.result.min_separation_m);
+  const Rehearsal other = rehearse(labExperiment("lab_room", 4), {}, nullptr);
+  EXPECT_NE(once.event_log, other.event_log);
+}
+
+TEST(RehearsalTest, NamesWhyThereIsNoPlan) {
+  sylph::Experiment experiment = labExperiment("lab_room", 1);
+  experiment.robots[1].goal = experiment.robots[0].goal;
+  const Rehearsal run = rehearse(experiment, {}, nullptr);
+  EXPECT_EQ(Ending::Stopped, run.ending);
+  EXPECT_NE(std::string::npos, run.cause.find("goal")) << run.cause;
+}
+
+TEST(RehearsalTest, NamesTheOptionThatIsOutOfItsBounds) {
+  RehearsalOptions options;
+  options.network.loss = 1.5;
+  try {
+    rehearse(labExperiment("lab_room", 1), options, nullptr);
+    FAIL() << "the option was accepted";
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ(0u, std::string(error.what()).find("network.loss")) << error.what();
+  }
+}
+
+TEST(SeedsTest, AreOneOrARange) {
+  EXPECT_EQ(5u, seedsFromText("5").first);
+  EXPECT_EQ(1u, seedsFromText("5").count());
+  EXPECT_EQ(10u, seedsFromText("1-10").count());
+  for (const char* text : {"", "-3", "4-3", "1-", "a", "1-2x", "1 - 2", "4294967296"}) {
+    EXPECT_THROW(seedsFromText(text), std::invalid_argument) << text;
+  }
+}
+
+TEST(ExperimentOfTest, HasAsManyRobotsAsWanted) {
+  const std::string path = std::string(MAPS_DIR) + "/lab_room.yaml";
+  EXPECT_EQ(8u, experimentOf(path, 1, 0).robots.size());
+  EXPECT_EQ(3u, experimentOf(path, 1, 3).robots.size());
+  const sylph::Experiment many = experimentOf(path, 1, 20);
+  ASSERT_EQ(20u, many.robots.size());
+  EXPECT_EQ("robot_19", many.robots[19].name);
+  EXPECT_NO_THROW(sylph::requireValid(toInstance(many)));
+  EXPECT_THROW(experimentOf(path, 1, 1000), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace sylph_rehearsal
