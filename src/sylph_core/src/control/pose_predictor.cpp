@@ -15,22 +15,23 @@ struct Step {
 };
 
 /// First-order lag of one axis: from rate `v` under command `u` for `dt_s`.
-Step follow(double v, double u, double dt_s, double lag_s) {
+/// @param decay  exp(-dt / lag)
+Step follow(double v, double u, double dt_s, double lag_s, double decay) {
   if (lag_s <= 0.0) {
     return {u * dt_s, u};
   }
-  const double decay = std::exp(-dt_s / lag_s);
   return {u * dt_s + (v - u) * lag_s * (1.0 - decay), u + (v - u) * decay};
 }
 
-/// Moves `state` on under a constant command.
+/// Moves `state` on under a constant command; the yaw is not normalized.
 void advance(MotionState& state, const Twist2d& command_map, double dt_s, double lag_s) {
-  const Step x = follow(state.twist_map.x_mps, command_map.x_mps, dt_s, lag_s);
-  const Step y = follow(state.twist_map.y_mps, command_map.y_mps, dt_s, lag_s);
-  const Step yaw = follow(state.twist_map.turn_radps, command_map.turn_radps, dt_s, lag_s);
+  const double decay = lag_s > 0.0 ? std::exp(-dt_s / lag_s) : 0.0;
+  const Step x = follow(state.twist_map.x_mps, command_map.x_mps, dt_s, lag_s, decay);
+  const Step y = follow(state.twist_map.y_mps, command_map.y_mps, dt_s, lag_s, decay);
+  const Step yaw = follow(state.twist_map.turn_radps, command_map.turn_radps, dt_s, lag_s, decay);
   state.pose.x_m += x.distance;
   state.pose.y_m += y.distance;
-  state.pose.yaw_rad = normalizeAngle(state.pose.yaw_rad + yaw.distance);
+  state.pose.yaw_rad += yaw.distance;
   state.twist_map = {x.rate, y.rate, yaw.rate};
 }
 
@@ -44,17 +45,15 @@ PosePredictor::PosePredictor(const BaseModel& model) : model_(model) {
 }
 
 void PosePredictor::command(double time_s, const Twist2d& twist_map) {
-  commands_.push_back({time_s + model_.latency_s, twist_map});
-  forgetBefore(time_s - kMemory_s);
-}
-
-void PosePredictor::forgetBefore(double time_s) {
-  while (commands_.size() > 1 && commands_[1].effective_s < time_s) {
-    MotionState state;
-    state.twist_map = twist_map_;
-    advance(state, commands_[0].twist_map, commands_[1].effective_s - commands_[0].effective_s,
-            model_.lag_s);
-    twist_map_ = state.twist_map;
+  const double effective_s = time_s + model_.latency_s;
+  MotionState before;
+  if (!commands_.empty()) {
+    const Command& last = commands_.back();
+    before.twist_map = last.before_map;
+    advance(before, last.twist_map, effective_s - last.effective_s, model_.lag_s);
+  }
+  commands_.push_back({effective_s, twist_map, before.twist_map});
+  while (commands_.size() > 1 && commands_[1].effective_s < time_s - kMemory_s) {
     commands_.pop_front();
   }
 }
@@ -62,8 +61,16 @@ void PosePredictor::forgetBefore(double time_s) {
 MotionState PosePredictor::predict(const Pose2d& captured, double captured_s, double time_s) const {
   MotionState state;
   state.pose = captured;
-  state.twist_map = twist_map_;
-  for (std::size_t i = 0; i < commands_.size(); ++i) {
+  if (commands_.empty()) {
+    return state;
+  }
+  // What was over before the capture has left its trace in the velocity of what came after it.
+  std::size_t first = commands_.size() - 1;
+  while (first > 0 && commands_[first].effective_s > std::min(captured_s, time_s)) {
+    --first;
+  }
+  state.twist_map = commands_[first].before_map;
+  for (std::size_t i = first; i < commands_.size(); ++i) {
     const double begin_s = commands_[i].effective_s;
     const double end_s =
         i + 1 < commands_.size() ? std::min(commands_[i + 1].effective_s, time_s) : time_s;
@@ -78,6 +85,7 @@ MotionState PosePredictor::predict(const Pose2d& captured, double captured_s, do
       advance(state, commands_[i].twist_map, end_s - known_until_s, model_.lag_s);
     }
   }
+  state.pose.yaw_rad = normalizeAngle(state.pose.yaw_rad);
   return state;
 }
 

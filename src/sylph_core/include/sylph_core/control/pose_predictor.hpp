@@ -42,13 +42,11 @@ class PosePredictor {
   struct Command {
     double effective_s;
     Twist2d twist_map;
+    Twist2d before_map;  // of the base when the command takes effect
   };
-
-  void forgetBefore(double time_s);
 
   BaseModel model_;
   std::deque<Command> commands_;  // oldest first
-  Twist2d twist_map_;             // of the base when the oldest command takes effect
 };
 
 }  // namespace sylph
