@@ -17,7 +17,10 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 SeparationWatch::SeparationWatch(std::vector<Footprint> sizes, const SeparationLimits& limits)
     : limits_(limits), closest_ever_{-1, -1, kInfinity} {
   for (const Footprint& size : sizes) {
-    tracks_.push_back({size, std::hypot(size.length_m, size.width_m) / 2.0, {}, 0});
+    Track track;
+    track.footprint = size;
+    track.radius_m = std::hypot(size.length_m, size.width_m) / 2.0;
+    tracks_.push_back(track);
   }
 }
 
@@ -38,17 +41,18 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
   track.footprint.center = position(pose);
   track.footprint.yaw_rad = pose.yaw_rad;
 
+  track.stopped = whereItStops(track);
+  track.reserve_m = distance(track.stopped.center, track.footprint.center);
+
   std::optional<PairGap> too_close;
-  const Footprint stopped = whereItStops(track);
   for (int other = 0; other < static_cast<int>(tracks_.size()); ++other) {
     const Track& neighbor = tracks_[index(other)];
     if (other == robot || neighbor.samples.empty()) {
       continue;
     }
-    const double reserve_m = distance(stopped.center, track.footprint.center) +
-                             distance(whereItStops(neighbor).center, neighbor.footprint.center);
-    if (lowestGap(track, neighbor) > std::max(limits_.limit_m, reserve_m) &&
-        lowestGap(track, neighbor) > closest_ever_.gap_m) {
+    const double lowest_m = lowestGap(track, neighbor);
+    if (lowest_m > std::max(limits_.limit_m, track.reserve_m + neighbor.reserve_m) &&
+        lowest_m > closest_ever_.gap_m) {
       continue;
     }
     const PairGap pair = {std::min(robot, other), std::max(robot, other),
@@ -56,7 +60,7 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
     if (pair.gap_m < closest_ever_.gap_m) {
       closest_ever_ = pair;
     }
-    if (pair.gap_m < limits_.limit_m || footprintGap(stopped, whereItStops(neighbor)) <= 0.0) {
+    if (pair.gap_m < limits_.limit_m || footprintGap(track.stopped, neighbor.stopped) <= 0.0) {
       too_close = too_close && too_close->gap_m < pair.gap_m ? too_close : pair;
     }
   }

@@ -57,7 +57,9 @@ class SeparationWatch {
   };
   struct Track {
     Footprint footprint;
-    double radius_m = 0.0;  ///< of the circle around the footprint
+    double radius_m = 0.0;   ///< of the circle around the footprint
+    Footprint stopped;       ///< where it comes to rest if it stops now
+    double reserve_m = 0.0;  ///< how far that is
     std::deque<Sample> samples;
     int too_close_in_a_row = 0;
   };
