@@ -14,15 +14,20 @@ double radius(const sylph::Footprint& footprint) {
 }  // namespace
 
 void ContactMonitor::update(const std::vector<sylph::Footprint>& footprints) {
+  if (footprints.empty()) {
+    return;
+  }
   std::vector<std::size_t> by_x(footprints.size());
   std::iota(by_x.begin(), by_x.end(), 0);
   std::sort(by_x.begin(), by_x.end(), [&footprints](std::size_t a, std::size_t b) {
     return std::pair(footprints[a].center.x, a) < std::pair(footprints[b].center.x, b);
   });
-  double largest_radius_m = 0.0;
+  std::vector<double> radius_m;
+  radius_m.reserve(footprints.size());
   for (const sylph::Footprint& footprint : footprints) {
-    largest_radius_m = std::max(largest_radius_m, radius(footprint));
+    radius_m.push_back(radius(footprint));
   }
+  const double largest_radius_m = *std::max_element(radius_m.begin(), radius_m.end());
   std::set<std::pair<std::size_t, std::size_t>> contacts;
   for (std::size_t i = 0; i < by_x.size(); ++i) {
     const sylph::Footprint& a = footprints[by_x[i]];
@@ -34,7 +39,7 @@ void ContactMonitor::update(const std::vector<sylph::Footprint>& footprints) {
         break;
       }
       const double distance_m = std::hypot(b.center.x - a.center.x, b.center.y - a.center.y);
-      if (distance_m > radius(a) + radius(b) + min_separation_m_) {
+      if (distance_m > radius_m[by_x[i]] + radius_m[by_x[j]] + min_separation_m_) {
         continue;
       }
       const double gap_m = sylph::footprintGap(a, b);
