@@ -60,14 +60,14 @@ std::vector<ObservationEntry> allEntries() {
   bits("nearer", "from here a step ", " comes closer to one's own goal");
   bit("other_goal", "the goal of another agent");
   bit("farther_to_go", "an agent that has farther to its goal than oneself");
-  bits("wishes", "another agent that comes closer to its goal by going ", "");
+  bits("desired", "another agent that comes closer to its goal by going ", "");
   bit("at_goal", "another agent that is on its goal");
   bits("came", "an agent, oneself included, whose last move was ", "");
   bits("swap", "an agent, oneself included, that wants past who is ",
        " and has to back out with it");
   bits("clear", "an agent, oneself included, who would have to swap with the one ",
        " of it after its move");
-  bit("pressed", "an agent, oneself included, that somebody of lower SVO pushes off its cell");
+  bit("pressed", "an agent, oneself included, that another one of lower SVO pushes off its cell");
   entries.push_back({"cost_to_go", "cells that it is farther to one's goal from here / 8", -1, 1});
   entries.push_back({"svo_gap", "another agent's SVO less one's own / 45 degrees", -1, 1});
   entries.push_back({"inherited_gap",
@@ -135,7 +135,7 @@ void ObservationEncoder::see(AgentId agent) {
   float* const seen = seen_[self].data();
   seen[at(Channel::Agent)] = 1.F;
   seen[at(Channel::AtGoal)] = to_go_[self] == 0 ? 1.F : 0.F;
-  setDirections(Channel::WishesNorth, right_of_way_.wishes(agent), seen);
+  setDirections(Channel::DesiredNorth, right_of_way_.desired(agent), seen);
   for (std::size_t way = 0; way < kDirections; ++way) {
     seen[at(Channel::CameNorth) + way] = states_.last_moves[self] == kMoves[way] ? 1.F : 0.F;
   }
@@ -200,7 +200,7 @@ void ObservationEncoder::addAgents(AgentId agent, float* view) const {
   }
 }
 
-// What one wishes stands in one's own way already.
+// What one desires stands in one's own way already.
 void ObservationEncoder::addSelf(AgentId agent, float* features) const {
   const auto self = static_cast<std::size_t>(agent);
   features[at(Channel::Agent)] = 1.F;

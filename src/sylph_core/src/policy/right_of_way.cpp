@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kDirections = 4;
 constexpr std::size_t kNoDirection = kDirections;
-constexpr AgentId kNobody = -1;
+constexpr AgentId kNoAgent = -1;
 
 }  // namespace
 
@@ -25,14 +25,14 @@ RightOfWay::RightOfWay(const OccupancyMap& map, const std::vector<DistanceField>
 
 void RightOfWay::setStates(const Configuration& cells, const std::vector<float>& svo_deg) {
   at_.clear();
-  wishes_.assign(cells.size(), {});
+  desired_.assign(cells.size(), {});
   swaps_.assign(cells.size(), {});
   clears_.assign(cells.size(), {});
   for (std::size_t agent = 0; agent < cells.size(); ++agent) {
     at_.push_back(map_->indexOf(cells[agent]));
     const int to_go = toGo(static_cast<AgentId>(agent), at_.back());
     for (std::size_t way = 0; way < kDirections; ++way) {
-      wishes_[agent][way] =
+      desired_[agent][way] =
           toGo(static_cast<AgentId>(agent), at_.back() + map_->steps()[way]) < to_go;
     }
   }
@@ -42,21 +42,21 @@ void RightOfWay::setStates(const Configuration& cells, const std::vector<float>&
   inherit(svo_deg);
 }
 
-// As Pibt does before an agent chooses, for each of its wishes.
+// As Pibt does before an agent chooses, for each of its desired moves.
 void RightOfWay::findSwaps(AgentId agent) {
   const int at = at_[index(agent)];
-  for (std::size_t wish = 0; wish < kDirections; ++wish) {
-    if (!wishes_[index(agent)][wish]) {
+  for (std::size_t desired = 0; desired < kDirections; ++desired) {
+    if (!desired_[index(agent)][desired]) {
       continue;
     }
-    const int to = at + map_->steps()[wish];
+    const int to = at + map_->steps()[desired];
     const AgentId ahead = map_->occupant(to);
     if (ahead >= 0 && haveToSwap(agent, ahead, at, to)) {
-      swaps_[index(agent)][wish] = true;
+      swaps_[index(agent)][desired] = true;
     }
     for (std::size_t side = 0; side < kDirections; ++side) {
       const AgentId beside = map_->occupant(at + map_->steps()[side]);
-      if (side != wish && beside >= 0 && haveToSwap(beside, agent, at, to)) {
+      if (side != desired && beside >= 0 && haveToSwap(beside, agent, at, to)) {
         clears_[index(agent)][side] = true;
       }
     }
@@ -99,11 +99,11 @@ void RightOfWay::inherit(const std::vector<float>& svo_deg) {
   std::stable_sort(order.begin(), order.end(), [&](AgentId left, AgentId right) {
     return svo_deg[index(left)] < svo_deg[index(right)];
   });
-  std::vector<AgentId> pushed_by(svo_deg.size(), kNobody);  // the first of the chain
+  std::vector<AgentId> pushed_by(svo_deg.size(), kNoAgent);  // the first of the chain
   std::vector<std::array<bool, kDirections>> is_passed_on(svo_deg.size());
   std::vector<Push> open;
   for (const AgentId first : order) {
-    if (pushed_by[index(first)] != kNobody) {
+    if (pushed_by[index(first)] != kNoAgent) {
       continue;
     }
     pushed_by[index(first)] = first;
@@ -118,7 +118,7 @@ void RightOfWay::inherit(const std::vector<float>& svo_deg) {
         }
         const AgentId pushed = map_->occupant(at_[index(push.agent)] + map_->steps()[way]);
         const std::size_t back = (way + kDirections / 2) % kDirections;
-        if (pushed_by[index(pushed)] == kNobody) {
+        if (pushed_by[index(pushed)] == kNoAgent) {
           pushed_by[index(pushed)] = first;
           inherited_deg_[index(pushed)] = svo_deg[index(first)];
         }
@@ -136,23 +136,23 @@ RightOfWay::Directions RightOfWay::onwardOf(const Push& push) const {
   const auto isTaken = [&](std::size_t way) {
     return map_->occupant(at + map_->steps()[way]) >= 0;
   };
-  Directions wished{};
+  Directions taken_moves{};
   Directions around{};
-  bool is_anything_wished = false;
+  bool is_anything_desired = false;
   bool is_anything_free = false;
   for (std::size_t way = 0; way < kDirections; ++way) {
     if (way == push.back || map_->isObstacle(at + map_->steps()[way])) {
       continue;
     }
-    if (wishes_[index(push.agent)][way]) {
-      is_anything_wished = true;
-      wished[way] = isTaken(way);
+    if (desired_[index(push.agent)][way]) {
+      is_anything_desired = true;
+      taken_moves[way] = isTaken(way);
     }
     around[way] = isTaken(way);
     is_anything_free = is_anything_free || !around[way];
   }
-  if (push.back == kNoDirection || is_anything_wished) {
-    return wished;
+  if (push.back == kNoDirection || is_anything_desired) {
+    return taken_moves;
   }
   return is_anything_free ? Directions{} : around;
 }

@@ -73,7 +73,7 @@ TEST_F(ObservationTest, SeesTheOthersAndWhatTheyWant) {
   encode(0);
   EXPECT_EQ(1.F, at(0, {2, 2}, Channel::Agent));
   EXPECT_EQ(1.F, at(0, {2, 2}, Channel::CameEast)) << "one's own last move";
-  EXPECT_EQ(0.F, at(0, {2, 2}, Channel::WishesNorth)) << "that stands in one's own way";
+  EXPECT_EQ(0.F, at(0, {2, 2}, Channel::DesiredNorth)) << "that stands in one's own way";
   EXPECT_FLOAT_EQ(25.F / 45.F, at(0, {2, 1}, Channel::SvoGap));
   EXPECT_FLOAT_EQ(-15.F / 45.F, at(0, {1, 4}, Channel::SvoGap));
   EXPECT_EQ(1.F, at(0, {2, 1}, Channel::AtGoal));
@@ -81,8 +81,8 @@ TEST_F(ObservationTest, SeesTheOthersAndWhatTheyWant) {
   EXPECT_EQ(1.F, at(0, {1, 4}, Channel::Agent));
   EXPECT_EQ(1.F, at(0, {1, 4}, Channel::LessProsocial));
   EXPECT_EQ(1.F, at(0, {1, 4}, Channel::CameSouth));
-  EXPECT_EQ(1.F, at(0, {1, 4}, Channel::WishesSouth));
-  EXPECT_EQ(0.F, at(0, {1, 4}, Channel::WishesNorth));
+  EXPECT_EQ(1.F, at(0, {1, 4}, Channel::DesiredSouth));
+  EXPECT_EQ(0.F, at(0, {1, 4}, Channel::DesiredNorth));
   EXPECT_EQ(0.F, at(0, {1, 4}, Channel::FartherToGo));
   EXPECT_EQ(1.F, at(0, {2, 5}, Channel::OwnGoal));
   EXPECT_EQ(1.F, at(0, {4, 4}, Channel::OtherGoal));

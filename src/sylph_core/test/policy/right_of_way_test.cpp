@@ -64,10 +64,10 @@ TEST_F(RightOfWayTest, TwoInACorridorHaveToSwapIfThereIsAJunctionBehind) {
   EXPECT_EQ(kNone, open.swaps(0)) << "no need where one can pass";
 }
 
-TEST_F(RightOfWayTest, WishesComeCloserAndEndOnTheGoal) {
+TEST_F(RightOfWayTest, DesiredMovesComeCloserAndEndOnTheGoal) {
   const RightOfWay seen = see("...\n", {{{0, 0}, {0, 2}, 0.F}, {{0, 1}, {0, 1}, 45.F}});
-  EXPECT_EQ(kEast, seen.wishes(0));
-  EXPECT_EQ(kNone, seen.wishes(1));
+  EXPECT_EQ(kEast, seen.desired(0));
+  EXPECT_EQ(kNone, seen.desired(1));
 }
 
 TEST_F(RightOfWayTest, PushesGoFromAgentToAgentAndOnlyUpwards) {

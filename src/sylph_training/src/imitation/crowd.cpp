@@ -45,11 +45,11 @@ bool Crowd::isGreedy(AgentId agent, Action action) const {
   return isValid(agent, action) && distance(neighbor(cell, action)) < distance(cell);
 }
 
-void Crowd::move(const std::vector<Action>& wishes, const std::vector<float>& svo_deg) {
+void Crowd::move(const std::vector<Action>& desired, const std::vector<float>& svo_deg) {
   const sylph::TieBreaking broken =
-      breakTies(instance_->grid, instance_->motion, states_.cells, wishes, svo_deg);
+      breakTies(instance_->grid, instance_->motion, states_.cells, desired, svo_deg);
   before_ = states_.cells;
-  for (std::size_t agent = 0; agent < wishes.size(); ++agent) {
+  for (std::size_t agent = 0; agent < desired.size(); ++agent) {
     states_.cells[agent] = neighbor(states_.cells[agent], broken.actions[agent]);
   }
   states_.last_moves = broken.actions;

@@ -92,9 +92,9 @@ class Labeller {
   std::vector<Votes> vote(const std::vector<float>& svo_deg, const sylph::AgentRows* logits) {
     std::vector<Votes> votes(svo_deg.size(), Votes{});
     for (int draw = 0; draw < settings_->draws; ++draw) {
-      const std::vector<Action> wishes = teacher_.wishes(*crowd_, svo_deg, logits);
-      for (std::size_t agent = 0; agent < wishes.size(); ++agent) {
-        ++votes[agent][static_cast<std::size_t>(wishes[agent])];
+      const std::vector<Action> desired = teacher_.desiredActions(*crowd_, svo_deg, logits);
+      for (std::size_t agent = 0; agent < desired.size(); ++agent) {
+        ++votes[agent][static_cast<std::size_t>(desired[agent])];
       }
     }
     return votes;
@@ -108,11 +108,11 @@ class Labeller {
   std::vector<bool> drawSamples(const std::vector<Votes>& votes) {
     std::vector<std::size_t> drawn;
     for (AgentId agent = 0; agent < crowd_->agentCount(); ++agent) {
-      const Action wish = favourite(votes[static_cast<std::size_t>(agent)]);
-      const bool rests = crowd_->isHome(agent) && wish == Action::Stay;
-      const double share = rests                           ? settings_->rest_share
-                           : crowd_->isGreedy(agent, wish) ? settings_->greedy_share
-                                                           : 1.0;
+      const Action desired = favourite(votes[static_cast<std::size_t>(agent)]);
+      const bool rests = crowd_->isHome(agent) && desired == Action::Stay;
+      const double share = rests                              ? settings_->rest_share
+                           : crowd_->isGreedy(agent, desired) ? settings_->greedy_share
+                                                              : 1.0;
       if (sylph::drawFraction(*rng_) < share) {
         drawn.push_back(static_cast<std::size_t>(agent));
       }
@@ -148,19 +148,19 @@ class Labeller {
   sylph::ObservationEncoder encoder_;
 };
 
-/// The teacher's wishes, less some that give way, with a little noise.
-std::vector<Action> withMistakes(std::vector<Action> wishes, const Crowd& crowd, double mistakes,
+/// The teacher's desired actions, less some that give way, with a little noise.
+std::vector<Action> withMistakes(std::vector<Action> desired, const Crowd& crowd, double mistakes,
                                  double noise, sylph::Rng& rng) {
   for (AgentId agent = 0; agent < crowd.agentCount(); ++agent) {
-    Action& wish = wishes[static_cast<std::size_t>(agent)];
-    if (!crowd.isGreedy(agent, wish) && sylph::drawFraction(rng) < mistakes) {
-      wish = drawAction(crowd, agent, true, rng);
+    Action& action = desired[static_cast<std::size_t>(agent)];
+    if (!crowd.isGreedy(agent, action) && sylph::drawFraction(rng) < mistakes) {
+      action = drawAction(crowd, agent, true, rng);
     }
     if (sylph::drawFraction(rng) < noise) {
-      wish = drawAction(crowd, agent, false, rng);
+      action = drawAction(crowd, agent, false, rng);
     }
   }
-  return wishes;
+  return desired;
 }
 
 /// Chance that a timestep becomes a scene: such that a team on its way gives about
@@ -231,9 +231,9 @@ SceneSource teacherLedScenes(const ReactiveSettings& settings) {
         addIfAny(labeller.make(partners.fixed(), nullptr), store);
       }
       const std::vector<float> svo_deg = crowd.states().svo_deg;
-      crowd.move(
-          withMistakes(labeller.teacher().wishes(crowd, svo_deg), crowd, mistakes, noise, rng),
-          svo_deg);
+      crowd.move(withMistakes(labeller.teacher().desiredActions(crowd, svo_deg), crowd, mistakes,
+                              noise, rng),
+                 svo_deg);
     }
     return store.sampleCount() > before;
   };
@@ -262,31 +262,31 @@ SceneSource studentLedScenes(std::shared_ptr<const sylph::Policy> policy,
             labeller.make(step.social.partners, settings.by_preference ? &step.actions : nullptr),
             store);
       }
-      crowd.move(drawWishes(crowd, step.actions, temperature, rng), crowd.states().svo_deg);
+      crowd.move(drawDesiredActions(crowd, step.actions, temperature, rng), crowd.states().svo_deg);
     }
     return store.sampleCount() > before;
   };
 }
 
-std::vector<Action> drawWishes(const Crowd& crowd, const sylph::AgentRows& logits,
-                               double temperature, sylph::Rng& rng) {
+std::vector<Action> drawDesiredActions(const Crowd& crowd, const sylph::AgentRows& logits,
+                                       double temperature, sylph::Rng& rng) {
   constexpr double kHalfStep = 0.5 / 4294967296.0;  // keeps the fraction off 0
-  std::vector<Action> wishes;
+  std::vector<Action> desired;
   for (AgentId agent = 0; agent < crowd.agentCount(); ++agent) {
     double best = 0.0;
-    Action wish = Action::Stay;
+    Action drawn = Action::Stay;
     for (const Action action : sylph::kActions) {
       const double gumbel = -std::log(-std::log(sylph::drawFraction(rng) + kHalfStep));
       const double key = static_cast<double>(logits(agent, static_cast<Eigen::Index>(action))) +
                          temperature * gumbel;
       if (action == Action::Stay || (crowd.isValid(agent, action) && key > best)) {
         best = key;
-        wish = action;
+        drawn = action;
       }
     }
-    wishes.push_back(wish);
+    desired.push_back(drawn);
   }
-  return wishes;
+  return desired;
 }
 
 }  // namespace sylph_training

@@ -52,8 +52,9 @@ void ReactiveTeacher::Ranking::rank(AgentId agent, sylph::VertexId at,
 ReactiveTeacher::ReactiveTeacher(const sylph::SearchProblem& problem, sylph::Rng& rng)
     : problem_(&problem), pibt_(problem), ranking_(problem, rng) {}
 
-std::vector<Action> ReactiveTeacher::wishes(const Crowd& crowd, const std::vector<float>& svo_deg,
-                                            const sylph::AgentRows* logits) {
+std::vector<Action> ReactiveTeacher::desiredActions(const Crowd& crowd,
+                                                    const std::vector<float>& svo_deg,
+                                                    const sylph::AgentRows* logits) {
   std::vector<AgentId> order(svo_deg.size());
   std::iota(order.begin(), order.end(), 0);
   std::stable_sort(order.begin(), order.end(), [&](AgentId left, AgentId right) {
@@ -62,12 +63,12 @@ std::vector<Action> ReactiveTeacher::wishes(const Crowd& crowd, const std::vecto
   ranking_.prepare(crowd, logits);
   sylph::Vertices to(svo_deg.size(), sylph::kNoVertex);
   pibt_.step(problem_->graph.toVertices(crowd.states().cells), order, ranking_, to);
-  std::vector<Action> wishes;
+  std::vector<Action> desired;
   for (std::size_t agent = 0; agent < to.size(); ++agent) {
-    wishes.push_back(
+    desired.push_back(
         *actionBetween(crowd.states().cells[agent], problem_->graph.cellAt(to[agent])));
   }
-  return wishes;
+  return desired;
 }
 
 }  // namespace sylph_training

@@ -11,7 +11,7 @@ using sylph::Channel;
 
 constexpr int kQuarters = 4;
 // The groups of four channels that stand for directions.
-constexpr std::array<Channel, 5> kDirections = {Channel::NearerNorth, Channel::WishesNorth,
+constexpr std::array<Channel, 5> kDirections = {Channel::NearerNorth, Channel::DesiredNorth,
                                                 Channel::CameNorth, Channel::SwapNorth,
                                                 Channel::ClearNorth};
 

@@ -101,17 +101,18 @@ class Meter {
     for (int timestep = 0; timestep < settings_->steps && !crowd_.isSolved(); ++timestep) {
       sylph::PolicyStep step =
           rollout_.follow(before, crowd_.before(), crowd_.states().cells, *rng_);
-      const auto wishes = drawWishes(crowd_, step.actions, settings_->temperature, *rng_);
+      const auto desired = drawDesiredActions(crowd_, step.actions, settings_->temperature, *rng_);
       const std::vector<float>& svo_deg = step.social.svo_deg;
-      compare(wishes, teacher_.wishes(crowd_, svo_deg), teacher_.wishes(crowd_, svo_deg));
-      watchRoles(timestep, wishes, svo_deg);
+      compare(desired, teacher_.desiredActions(crowd_, svo_deg),
+              teacher_.desiredActions(crowd_, svo_deg));
+      watchRoles(timestep, desired, svo_deg);
       for (std::size_t agent = 0; agent < svo_deg.size(); ++agent) {
         tally_->svo_error_deg.add(std::abs(svo_deg[agent] - crowd_.states().svo_deg[agent]));
       }
       if (timestep % kSensitivityInterval == kSensitivityInterval / 2) {
         probeSvo(before);
       }
-      crowd_.move(wishes, svo_deg);
+      crowd_.move(desired, svo_deg);
       plan.push_back(crowd_.states().cells);
       before = std::move(step);
     }
@@ -129,30 +130,30 @@ class Meter {
   }
 
  private:
-  void compare(const std::vector<Action>& wishes, const std::vector<Action>& taught,
+  void compare(const std::vector<Action>& desired, const std::vector<Action>& taught,
                const std::vector<Action>& taught_again) {
     for (AgentId agent = 0; agent < crowd_.agentCount(); ++agent) {
       const auto index = static_cast<std::size_t>(agent);
-      const Action wish = wishes[index];
+      const Action action = desired[index];
       const Action right = taught[index];
       if (crowd_.isHome(agent) && right == Action::Stay) {
         continue;
       }
       const bool is_right_way = !crowd_.isGreedy(agent, right);
-      const bool gives_way = !crowd_.isGreedy(agent, wish);
+      const bool gives_way = !crowd_.isGreedy(agent, action);
       tally_->non_greedy.add(is_right_way);
       if (is_right_way) {
         tally_->recall.add(gives_way);
-        tally_->exact_recall.add(wish == right);
+        tally_->exact_recall.add(action == right);
         tally_->teacher_repeat.add(taught_again[index] == right);
       }
       if (gives_way) {
         tally_->precision.add(is_right_way);
       }
       if (isAway(crowd_, agent, right)) {
-        tally_->away_recall.add(isAway(crowd_, agent, wish));
+        tally_->away_recall.add(isAway(crowd_, agent, action));
       }
-      if (isAway(crowd_, agent, wish)) {
+      if (isAway(crowd_, agent, action)) {
         tally_->away_precision.add(isAway(crowd_, agent, right));
       }
     }
@@ -160,7 +161,7 @@ class Meter {
 
   // Pairs of adjacent agents of which each could come closer to its goal by entering the other's
   // cell. They have roles if one of them means to and the other does not.
-  void watchRoles(int timestep, const std::vector<Action>& wishes,
+  void watchRoles(int timestep, const std::vector<Action>& desired,
                   const std::vector<float>& svo_deg) {
     const sylph::Vertices at = problem_.graph.toVertices(crowd_.states().cells);
     std::map<sylph::VertexId, AgentId> occupants;
@@ -181,8 +182,8 @@ class Meter {
           continue;
         }
         const auto other = static_cast<std::size_t>(found->second);
-        const bool pushes = crowd_.isGreedy(agent, wishes[index]);
-        if (pushes == crowd_.isGreedy(found->second, wishes[other])) {
+        const bool pushes = crowd_.isGreedy(agent, desired[index]);
+        if (pushes == crowd_.isGreedy(found->second, desired[other])) {
           continue;
         }
         if (svo_deg[index] != svo_deg[other]) {

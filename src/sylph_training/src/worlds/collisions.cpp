@@ -32,7 +32,7 @@ class Traffic {
       return false;
     }
     return !grid_.isFree(target(agent)) || heading_for_[indexOf(target(agent))] > 1 ||
-           isInRing(agent, rotations);
+           isInRotation(agent, rotations);
   }
 
  private:
@@ -41,8 +41,8 @@ class Traffic {
     return static_cast<std::size_t>(grid_.indexOf(cell));
   }
 
-  // A swap is a ring of two, which nobody can move round.
-  bool isInRing(std::size_t agent, bool rotations) const {
+  // A swap is a rotation of two, which no agents can make.
+  bool isInRotation(std::size_t agent, bool rotations) const {
     std::size_t ahead = agent;
     for (std::size_t length = 1; length <= cells_.size(); ++length) {
       const Cell next = target(ahead);
@@ -69,12 +69,12 @@ class Traffic {
 
 sylph::TieBreaking haltCollisions(const sylph::Grid& grid, const sylph::MotionModel& motion,
                                   const sylph::Configuration& cells,
-                                  const std::vector<Action>& wishes) {
-  if (wishes.size() != cells.size()) {
+                                  const std::vector<Action>& desired) {
+  if (desired.size() != cells.size()) {
     throw std::invalid_argument(std::to_string(cells.size()) + " cells and " +
-                                std::to_string(wishes.size()) + " actions: must be one per agent");
+                                std::to_string(desired.size()) + " actions: must be one per agent");
   }
-  sylph::TieBreaking result{wishes, std::vector<bool>(cells.size(), false)};
+  sylph::TieBreaking result{desired, std::vector<bool>(cells.size(), false)};
   bool has_changed = true;
   while (has_changed) {
     has_changed = false;

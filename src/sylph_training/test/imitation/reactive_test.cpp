@@ -51,7 +51,8 @@ TEST(ReactiveTeacherTest, WhoIsMoreProsocialBacksOut) {
   sylph::Rng rng(1);
   const Crowd crowd(instance, problem, {0.F, 0.F});
   ReactiveTeacher teacher(problem, rng);
-  EXPECT_EQ((std::vector<Action>{Action::East, Action::East}), teacher.wishes(crowd, {5.F, 40.F}));
+  EXPECT_EQ((std::vector<Action>{Action::East, Action::East}),
+            teacher.desiredActions(crowd, {5.F, 40.F}));
 }
 
 TEST(ReactiveTeacherTest, SolvesDenseWorldsInTheOrderOfWaiting) {
@@ -69,7 +70,7 @@ TEST(ReactiveTeacherTest, SolvesDenseWorldsInTheOrderOfWaiting) {
     ReactiveTeacher teacher(problem, rng);
     for (int step = 0; step < 300 && !crowd.isSolved(); ++step) {
       const std::vector<float> svo_deg = crowd.states().svo_deg;
-      crowd.move(teacher.wishes(crowd, svo_deg), svo_deg);
+      crowd.move(teacher.desiredActions(crowd, svo_deg), svo_deg);
     }
     solved += crowd.isSolved() ? 1 : 0;
   }
@@ -87,7 +88,7 @@ TEST(ReactiveTeacherTest, APolicysTasteDecidesBetweenEquallyShortMoves) {
     logits(0, static_cast<Eigen::Index>(favourite)) = 6.F;
     logits(0, static_cast<Eigen::Index>(Action::Stay)) = 9.F;  // no shorter: does not count
     EXPECT_EQ(std::vector<Action>{favourite},
-              teacher.wishes(crowd, crowd.states().svo_deg, &logits));
+              teacher.desiredActions(crowd, crowd.states().svo_deg, &logits));
   }
 }
 
@@ -122,7 +123,7 @@ TEST(ReactiveScenesTest, HaveTheVotesOfFourDrawsWhoeverLeads) {
   EXPECT_EQ(0U, none.sampleCount());
 }
 
-TEST(DrawWishesTest, AreDrawnFromTheLogitsAndHitNoObstacle) {
+TEST(DrawDesiredActionsTest, AreDrawnFromTheLogitsAndHitNoObstacle) {
   const sylph::Instance instance = corridor();
   const sylph::SearchProblem problem(instance);
   const Crowd crowd(instance, problem, {0.F, 0.F});
@@ -133,9 +134,9 @@ TEST(DrawWishesTest, AreDrawnFromTheLogitsAndHitNoObstacle) {
   int east = 0;
   constexpr int kDraws = 4000;
   for (int draw = 0; draw < kDraws; ++draw) {
-    const Action wish = drawWishes(crowd, logits, 1.0, rng)[0];
-    ASSERT_TRUE(crowd.isValid(0, wish));
-    east += wish == Action::East ? 1 : 0;
+    const Action desired = drawDesiredActions(crowd, logits, 1.0, rng)[0];
+    ASSERT_TRUE(crowd.isValid(0, desired));
+    east += desired == Action::East ? 1 : 0;
   }
   const double expected = std::exp(1.0) / (std::exp(1.0) + 2.0);    // beside Stay and West
   EXPECT_NEAR(expected, static_cast<double>(east) / kDraws, 0.03);  // four standard errors

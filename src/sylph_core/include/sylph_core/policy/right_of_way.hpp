@@ -24,13 +24,13 @@ class RightOfWay {
   void setStates(const Configuration& cells, const std::vector<float>& svo_deg);
 
   /// Directions of the moves that come closer to the agent's goal.
-  const Directions& wishes(AgentId agent) const { return wishes_[index(agent)]; }
+  const Directions& desired(AgentId agent) const { return desired_[index(agent)]; }
   /// Directions of the agents that it wants past and has to back out with to a junction.
   const Directions& swaps(AgentId agent) const { return swaps_[index(agent)]; }
-  /// Directions of the agents that would have to swap with it once it had moved as it wishes.
+  /// Directions of the agents that would have to swap with it once it had moved as it desires.
   const Directions& clears(AgentId agent) const { return clears_[index(agent)]; }
   /// The lowest SVO of those that push the agent off its cell, by way of any number of others, or
-  /// its own if that is lower: PIBT's inherited priority [deg]. A push goes where an agent wishes
+  /// its own if that is lower: PIBT's inherited priority [deg]. A push goes where an agent desires
   /// to; an agent that can only go back to who pushes it pushes all round it unless a cell is free.
   float inheritedSvoDeg(AgentId agent) const { return inherited_deg_[index(agent)]; }
 
@@ -48,7 +48,7 @@ class RightOfWay {
   const OccupancyMap* map_;
   const std::vector<DistanceField>* distances_;
   std::vector<int> at_;  // per agent: index on the map
-  std::vector<Directions> wishes_, swaps_, clears_;
+  std::vector<Directions> desired_, swaps_, clears_;
   std::vector<float> inherited_deg_;
 };
 

@@ -33,9 +33,10 @@ class Crowd {
   /// Whether an action comes closer to the goal; on the goal, whether it stays there.
   bool isGreedy(sylph::AgentId agent, sylph::Action action) const;
 
-  /// One timestep: everybody's wish, less what tie-breaking takes out (He et al. 2024, Alg. 3).
+  /// One timestep: everybody's desired action, less what tie-breaking takes out (He et al. 2024,
+  /// Alg. 3).
   /// @param svo_deg  that ties are broken by, one per agent [deg]
-  void move(const std::vector<sylph::Action>& wishes, const std::vector<float>& svo_deg);
+  void move(const std::vector<sylph::Action>& desired, const std::vector<float>& svo_deg);
 
  private:
   void updateSvo();

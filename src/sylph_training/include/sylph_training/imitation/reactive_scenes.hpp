@@ -18,13 +18,13 @@ struct ReactiveSettings {
       0.5;  ///< of the samples labelled by the teacher, once there are any, 0 ... 1
   int worlds_per_shard = 24;     ///< > 0
   int most_agents = 160;         ///< in worlds that the policy leads, > 0
-  int most_steps = 250;          ///< that somebody leads in a world, > 0
+  int most_steps = 250;          ///< of one world, > 0
   int samples_per_world = 1500;  ///< about, of a team that gets on, > 0
   int samples_per_scene = 64;    ///< at most, > 0
   double scene_share = 0.6;      ///< of the timesteps become scenes at most, above 0 and at most 1
   double rest_share = 0.12;      ///< of the agents that stay on their goal are samples, 0 ... 1
   double greedy_share = 0.6;     ///< of those that come closer to it, 0 ... 1
-  int draws = 4;                 ///< of the teacher's wishes for one label, > 0
+  int draws = 4;                 ///< of the teacher's desired actions for one label, > 0
   double mistakes = 0.6;  ///< highest share of moves that come no closer which the leading teacher
                           ///< fails to make, 0 ... 1
   double perturbed =
@@ -47,7 +47,7 @@ SceneSource studentLedScenes(std::shared_ptr<const sylph::Policy> policy,
 /// One draw for each agent from the softmax of its logits / temperature over the actions that hit
 /// nothing.
 /// @param logits  n x 5
-std::vector<sylph::Action> drawWishes(const Crowd& crowd, const sylph::AgentRows& logits,
-                                      double temperature, sylph::Rng& rng);
+std::vector<sylph::Action> drawDesiredActions(const Crowd& crowd, const sylph::AgentRows& logits,
+                                              double temperature, sylph::Rng& rng);
 
 }  // namespace sylph_training

@@ -25,8 +25,8 @@ class ReactiveTeacher {
   /// @param crowd    of the same problem
   /// @param svo_deg  that tells the order, one per agent [deg]
   /// @param logits   n x 5: what a policy prefers among equally short moves; nullptr: nothing
-  std::vector<sylph::Action> wishes(const Crowd& crowd, const std::vector<float>& svo_deg,
-                                    const sylph::AgentRows* logits = nullptr);
+  std::vector<sylph::Action> desiredActions(const Crowd& crowd, const std::vector<float>& svo_deg,
+                                            const sylph::AgentRows* logits = nullptr);
 
  private:
   class Ranking : public sylph::MoveRanking {
