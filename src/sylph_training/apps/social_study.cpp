@@ -61,8 +61,8 @@ void writeTrace(const Rollout& rollout, const std::string& path) {
       file << step << "," << agent << "," << rollout.cells[row][0].item<int>() << ","
            << rollout.cells[row][1].item<int>() << ","
            << rollout.svo_levels[row].item<double>() * sylph::kSvoLevelSpacingDeg << ","
-           << rollout.external[row].item<float>() << "," << rollout.partners[row].item<int>()
-           << "\n";
+           << rollout.external_rewards[row].item<float>() << ","
+           << rollout.partners[row].item<int>() << "\n";
     }
   }
   if (!file.flush()) {

@@ -76,7 +76,7 @@ bool RegretTable::isTaken(AgentId agent, std::size_t timestep, VertexId vertex) 
 }
 
 // Follows whoever leaves the vertex that is entered: a chain that comes back to where the agent
-// starts is a swap or, if longer, a ring.
+// starts is a swap or, if longer, a rotation.
 bool RegretTable::isLegal(AgentId agent, std::size_t timestep, VertexId from, VertexId to) const {
   if (isTaken(agent, timestep + 1, to)) {
     return false;

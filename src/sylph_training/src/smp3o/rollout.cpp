@@ -12,16 +12,25 @@ namespace {
 using Column = torch::Tensor Rollout::*;
 
 constexpr std::array<Column, 19> kColumns = {
-    &Rollout::cells,          &Rollout::views,
-    &Rollout::vectors,        &Rollout::svo,
-    &Rollout::svo_now,        &Rollout::memory,
-    &Rollout::partners,       &Rollout::overlaps,
-    &Rollout::actions,        &Rollout::action_log_probs,
-    &Rollout::svo_levels,     &Rollout::svo_log_probs,
-    &Rollout::has_svo_choice, &Rollout::values,
-    &Rollout::valid,          &Rollout::blocks,
-    &Rollout::external,       &Rollout::social,
-    &Rollout::action,
+    &Rollout::cells,
+    &Rollout::views,
+    &Rollout::vectors,
+    &Rollout::svo,
+    &Rollout::svo_now,
+    &Rollout::memory,
+    &Rollout::partners,
+    &Rollout::overlaps,
+    &Rollout::actions,
+    &Rollout::action_log_probs,
+    &Rollout::svo_levels,
+    &Rollout::svo_log_probs,
+    &Rollout::has_svo_choice,
+    &Rollout::values,
+    &Rollout::valid,
+    &Rollout::blocks,
+    &Rollout::external_rewards,
+    &Rollout::social_rewards,
+    &Rollout::action_rewards,
 };
 
 torch::Tensor toTensor(const std::vector<std::int64_t>& values) {
@@ -219,9 +228,9 @@ void RolloutCollector::recordStep(const BatchStep& step, const std::vector<sylph
   part.svo_now = toTensor(step.svo).view({-1, sylph::kSvoLevelCount});
   part.svo_levels = toTensor(step.svo_levels);
   part.has_svo_choice = toTensor(step.has_svo_choice);
-  part.external = toTensor(step.external);
-  part.social = toTensor(step.social);
-  part.action = toTensor(step.action);
+  part.external_rewards = toTensor(step.external_rewards);
+  part.social_rewards = toTensor(step.social_rewards);
+  part.action_rewards = toTensor(step.action_rewards);
 }
 
 void RolloutCollector::carryMemory(const std::vector<std::int64_t>& carried_rows) {

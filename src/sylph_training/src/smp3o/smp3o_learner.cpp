@@ -21,7 +21,7 @@ torch::Tensor toTensor(const std::vector<std::int64_t>& values) {
 
 /// Advantages of all rows, from the rewards in one column.
 torch::Tensor advantagesFrom(const torch::Tensor& rewards, const Rollout& rollout,
-                             const LearnerOptions& options) {
+                             const Smp3oLearnerOptions& options) {
   torch::Tensor advantages = torch::zeros_like(rollout.values);
   const torch::Tensor held_rewards = rewards.contiguous();
   const torch::Tensor held_values = rollout.values.contiguous();
@@ -78,7 +78,7 @@ struct Smp3oLearner::Estimates {
   torch::Tensor returns;
 };
 
-void LearnerOptions::requireValid() const {
+void Smp3oLearnerOptions::requireValid() const {
   require(gamma >= 0.0 && gamma <= 1.0, "gamma", gamma, "0 ... 1");
   require(lambda >= 0.0 && lambda <= 1.0, "lambda", lambda, "0 ... 1");
   require(clip > 0.0, "clip", clip, "> 0");
@@ -90,7 +90,8 @@ void LearnerOptions::requireValid() const {
   require(sequence_length > 0, "sequence_length", sequence_length, "> 0");
 }
 
-Smp3oLearner::Smp3oLearner(PolicyModel model, const LearnerOptions& options, torch::Device device)
+Smp3oLearner::Smp3oLearner(PolicyModel model, const Smp3oLearnerOptions& options,
+                           torch::Device device)
     : model_(std::move(model)), options_(options), device_(device) {
   options_.requireValid();
   model_->to(device_);
@@ -125,9 +126,9 @@ LearningStatistics Smp3oLearner::update(const Rollout& rollout, sylph::Rng& rng)
 }
 
 Smp3oLearner::Estimates Smp3oLearner::estimate(const Rollout& rollout) const {
-  return {advantagesFrom(rollout.social, rollout, options_),
-          advantagesFrom(rollout.action, rollout, options_),
-          advantagesFrom(rollout.external, rollout, options_) + rollout.values};
+  return {advantagesFrom(rollout.social_rewards, rollout, options_),
+          advantagesFrom(rollout.action_rewards, rollout, options_),
+          advantagesFrom(rollout.external_rewards, rollout, options_) + rollout.values};
 }
 
 PolicyOutput Smp3oLearner::decide(const Rollout& rollout, const SequenceLayout& layout,

@@ -71,8 +71,8 @@ SymmetricWorldSpec readSymmetric(const YamlMap& yaml) {
   return spec;
 }
 
-LearnerOptions readLearner(const YamlMap& yaml) {
-  LearnerOptions options;
+Smp3oLearnerOptions readLearner(const YamlMap& yaml) {
+  Smp3oLearnerOptions options;
   readNumber(yaml, "gamma", {0.0, 1.0}, options.gamma);
   readNumber(yaml, "lambda", {0.0, 1.0}, options.lambda);
   readNumber(yaml, "clip", Range::positive(), options.clip);

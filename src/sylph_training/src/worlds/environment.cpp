@@ -132,9 +132,9 @@ void Environment::encode(AgentId agent, float* view, float* vector) const {
   encoder_.encode(agent, view, vector);
 }
 
-StepOutcome Environment::step(const std::vector<Action>& wishes, const StepSvo& svo) {
+StepOutcome Environment::step(const std::vector<Action>& desired, const StepSvo& svo) {
   const std::size_t count = states_.cells.size();
-  requireCount("actions", wishes.size(), count);
+  requireCount("actions", desired.size(), count);
   requireCount("SVOs", svo.mean_deg.size(), count);
   requireCount("drawn SVOs", svo.drawn_deg.size(), count);
   if (isFinished()) {
@@ -142,8 +142,8 @@ StepOutcome Environment::step(const std::vector<Action>& wishes, const StepSvo& 
   }
   sylph::TieBreaking resolved =
       options_.tie_breaking
-          ? breakTies(instance_.grid, instance_.motion, states_.cells, wishes, svo.mean_deg)
-          : haltCollisions(instance_.grid, instance_.motion, states_.cells, wishes);
+          ? breakTies(instance_.grid, instance_.motion, states_.cells, desired, svo.mean_deg)
+          : haltCollisions(instance_.grid, instance_.motion, states_.cells, desired);
   for (std::size_t agent = 0; agent < count; ++agent) {
     states_.cells[agent] = neighbor(states_.cells[agent], resolved.actions[agent]);
   }
@@ -156,7 +156,7 @@ StepOutcome Environment::step(const std::vector<Action>& wishes, const StepSvo& 
   outcome.actions = std::move(resolved.actions);
   outcome.is_penalized = std::move(resolved.is_penalized);
   for (std::size_t agent = 0; agent < count; ++agent) {
-    outcome.external.push_back(externalReward(agent, outcome));
+    outcome.external_rewards.push_back(externalReward(agent, outcome));
   }
   shareRewards(svo.drawn_deg, outcome);
   partners_.update(states_.cells);
@@ -181,15 +181,15 @@ double Environment::externalReward(std::size_t agent, const StepOutcome& outcome
 // With the partners of the state in which the agents decided.
 void Environment::shareRewards(const std::vector<float>& drawn_svo_deg,
                                StepOutcome& outcome) const {
-  for (std::size_t agent = 0; agent < outcome.external.size(); ++agent) {
-    const double own = outcome.external[agent];
-    const double partners = outcome.external[static_cast<std::size_t>(partner_ids_[agent])];
-    outcome.social.push_back((own + partners) / options_.rewards.svo_importance);
+  for (std::size_t agent = 0; agent < outcome.external_rewards.size(); ++agent) {
+    const double own = outcome.external_rewards[agent];
+    const double partners = outcome.external_rewards[static_cast<std::size_t>(partner_ids_[agent])];
+    outcome.social_rewards.push_back((own + partners) / options_.rewards.svo_importance);
     const double scale = options_.rewards.mean_by_svo
                              ? sylph::redistributedReward(1.0, 1.0, drawn_svo_deg[agent])
                              : 1.0;
-    outcome.action.push_back(sylph::redistributedReward(own, partners, drawn_svo_deg[agent]) /
-                             scale);
+    outcome.action_rewards.push_back(
+        sylph::redistributedReward(own, partners, drawn_svo_deg[agent]) / scale);
   }
 }
 

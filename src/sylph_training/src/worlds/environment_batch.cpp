@@ -144,11 +144,11 @@ std::vector<std::int64_t> EnvironmentBatch::partnerRows() const {
   return rows;
 }
 
-BatchStep EnvironmentBatch::step(const std::vector<sylph::Action>& wishes,
+BatchStep EnvironmentBatch::step(const std::vector<sylph::Action>& desired,
                                  const torch::Tensor& svo_probabilities) {
-  if (static_cast<std::int64_t>(wishes.size()) != rowCount() ||
+  if (static_cast<std::int64_t>(desired.size()) != rowCount() ||
       svo_probabilities.sizes() != torch::IntArrayRef({rowCount(), sylph::kSvoLevelCount})) {
-    throw std::invalid_argument("a step of " + std::to_string(wishes.size()) +
+    throw std::invalid_argument("a step of " + std::to_string(desired.size()) +
                                 " actions: must be " + std::to_string(rowCount()) +
                                 ", with as many SVO distributions");
   }
@@ -156,13 +156,13 @@ BatchStep EnvironmentBatch::step(const std::vector<sylph::Action>& wishes,
   BatchStep step;
   for (std::size_t index = 0; index < worlds_.size(); ++index) {
     const std::int64_t row = first_rows_[index];
-    stepWorld(static_cast<int>(index), wishes.data() + row,
+    stepWorld(static_cast<int>(index), desired.data() + row,
               probabilities.data_ptr<float>() + row * sylph::kSvoLevelCount, step);
   }
   return step;
 }
 
-void EnvironmentBatch::stepWorld(int index, const sylph::Action* wishes,
+void EnvironmentBatch::stepWorld(int index, const sylph::Action* desired,
                                  const float* svo_probabilities, BatchStep& step) {
   World& world = worlds_[static_cast<std::size_t>(index)];
   const std::size_t agents = world.svo.size();
@@ -171,15 +171,15 @@ void EnvironmentBatch::stepWorld(int index, const sylph::Action* wishes,
     chooseSvo(world, agent, svo_probabilities + agent * sylph::kSvoLevelCount, svo, step);
   }
   world.partners = world.environment->partners();
-  const StepOutcome outcome = world.environment->step({wishes, wishes + agents}, svo);
+  const StepOutcome outcome = world.environment->step({desired, desired + agents}, svo);
   showProsocialOnGoal(world);
   EpisodeRecord& record = world.record;
   for (std::size_t agent = 0; agent < agents; ++agent) {
-    step.external.push_back(static_cast<float>(outcome.external[agent]));
-    step.social.push_back(static_cast<float>(outcome.social[agent]));
-    step.action.push_back(static_cast<float>(outcome.action[agent]));
+    step.external_rewards.push_back(static_cast<float>(outcome.external_rewards[agent]));
+    step.social_rewards.push_back(static_cast<float>(outcome.social_rewards[agent]));
+    step.action_rewards.push_back(static_cast<float>(outcome.action_rewards[agent]));
     step.is_penalized.push_back(outcome.is_penalized[agent]);
-    record.external_reward += outcome.external[agent];
+    record.external_reward += outcome.external_rewards[agent];
     record.collisions += outcome.is_penalized[agent] ? 1 : 0;
     if (outcome.actions[agent] == sylph::Action::Stay) {
       record.blocked += world.environment->blockedCounts()[agent];

@@ -261,7 +261,7 @@ TEST(Smp3oLearnerTest, LearnsToWalkToTheGoal) {
   environment.max_steps = 20;
   PolicyModel model(smallShape());
   RolloutCollector collector(EnvironmentBatch(corridor, environment, {}, 16, 1), true, torch::kCPU);
-  LearnerOptions options;
+  Smp3oLearnerOptions options;
   options.learning_rate = 3e-3;
   options.epochs = 3;
   options.minibatch_rows = 64;
@@ -291,7 +291,7 @@ TEST(Smp3oLearnerTest, TeachesTheCriticAlone) {
   PolicyModel model(smallShape());
   const sylph::TensorFile before = exportWeights(model);
   RolloutCollector collector(smallBatch(4, 20), true, torch::kCPU);
-  LearnerOptions options;
+  Smp3oLearnerOptions options;
   options.learning_rate = 1e-2;
   options.epochs = 3;
   options.only_critic = true;
@@ -312,7 +312,7 @@ TEST(Smp3oLearnerTest, GradientsGoBackThroughTheMemoryOnlyAsFarAsAsked) {
     torch::manual_seed(5);
     PolicyModel model(smallShape());
     RolloutCollector collector(smallBatch(4, 20), true, torch::kCPU);
-    LearnerOptions options;
+    Smp3oLearnerOptions options;
     options.learning_rate = 1e-3;
     options.epochs = 1;
     options.minibatch_rows = 100000;
@@ -327,7 +327,7 @@ TEST(Smp3oLearnerTest, GradientsGoBackThroughTheMemoryOnlyAsFarAsAsked) {
 }
 
 TEST(Smp3oLearnerTest, RefusesOptionsOutOfRange) {
-  LearnerOptions options;
+  Smp3oLearnerOptions options;
   options.gamma = 1.5;
   EXPECT_THROW(Smp3oLearner(PolicyModel(smallShape()), options, torch::kCPU),
                std::invalid_argument);

@@ -81,8 +81,8 @@ TEST(EnvironmentBatchTest, TheSameSeedGivesTheSameEpisodesWhateverTheOtherWorlds
     std::vector<float> rewards;
     for (int step = 0; step < 40; ++step) {
       const BatchStep outcome = batch.step(randomActions(batch), evenSvos(batch));
-      rewards.insert(rewards.end(), outcome.action.begin(),
-                     outcome.action.begin() + batch.firstRows()[1]);
+      rewards.insert(rewards.end(), outcome.action_rewards.begin(),
+                     outcome.action_rewards.begin() + batch.firstRows()[1]);
       batch.resetFinished();
     }
     return rewards;

@@ -50,8 +50,8 @@ std::vector<float> randomSvos(std::size_t count, Rng& rng) {
 }
 
 /// Mostly downhill, so that agents reach their goals and meet on the way.
-std::vector<Action> randomWishes(const Environment& world, Rng& rng) {
-  std::vector<Action> wishes;
+std::vector<Action> randomActions(const Environment& world, Rng& rng) {
+  std::vector<Action> desired;
   for (AgentId agent = 0; agent < world.instance().agentCount(); ++agent) {
     const auto index = static_cast<std::size_t>(agent);
     const auto path =
@@ -59,11 +59,11 @@ std::vector<Action> randomWishes(const Environment& world, Rng& rng) {
                      world.cells()[index]);
     const Action downhill =
         path.size() > 1 ? *sylph::actionBetween(path[0], path[1]) : Action::Stay;
-    wishes.push_back(sylph::drawIndex(rng, 4) == 0
-                         ? sylph::kActions[sylph::drawIndex(rng, sylph::kActionCount)]
-                         : downhill);
+    desired.push_back(sylph::drawIndex(rng, 4) == 0
+                          ? sylph::kActions[sylph::drawIndex(rng, sylph::kActionCount)]
+                          : downhill);
   }
-  return wishes;
+  return desired;
 }
 
 /// Breadth first among free cells that are not in `taken`.
@@ -165,9 +165,9 @@ void expectRewards(const sylph::Instance& world, const Configuration& before,
     const double own = external[i];
     const double other = external[static_cast<std::size_t>(partners[i])];
     const double angle = svo_deg[i] * M_PI / 180.0;
-    EXPECT_NEAR(own, outcome.external[i], 1e-12);
-    EXPECT_NEAR((own + other) / 2.0, outcome.social[i], 1e-12);
-    EXPECT_NEAR(std::cos(angle) * own + std::sin(angle) * other, outcome.action[i], 1e-6);
+    EXPECT_NEAR(own, outcome.external_rewards[i], 1e-12);
+    EXPECT_NEAR((own + other) / 2.0, outcome.social_rewards[i], 1e-12);
+    EXPECT_NEAR(std::cos(angle) * own + std::sin(angle) * other, outcome.action_rewards[i], 1e-6);
   }
 }
 
@@ -186,7 +186,7 @@ TEST(EnvironmentProperty, NobodyCollidesAndRewardsAreThoseOfTheTable) {
       const std::vector<AgentId> partners = world.partners();
       const std::vector<float> svo_deg = randomSvos(agents, rng);
       const StepOutcome outcome =
-          world.step(randomWishes(world, rng), {randomSvos(agents, rng), svo_deg});
+          world.step(randomActions(world, rng), {randomSvos(agents, rng), svo_deg});
       expectRewards(instance, plan.back(), world.cells(), partners, svo_deg, outcome);
       plan.push_back(world.cells());
     }
@@ -208,10 +208,10 @@ TEST(EnvironmentProperty, TheSameSeedGivesTheSameEpisode) {
       Environment world(instance, {}, randomSvos(agents, rng));
       std::vector<double> rewards;
       while (!world.isFinished() && world.stepCount() < 50) {
-        const auto wishes = randomWishes(world, rng);
+        const auto desired = randomActions(world, rng);
         const StepOutcome outcome =
-            world.step(wishes, {randomSvos(agents, rng), randomSvos(agents, rng)});
-        rewards.insert(rewards.end(), outcome.action.begin(), outcome.action.end());
+            world.step(desired, {randomSvos(agents, rng), randomSvos(agents, rng)});
+        rewards.insert(rewards.end(), outcome.action_rewards.begin(), outcome.action_rewards.end());
       }
       return std::pair(world.cells(), rewards);
     };
@@ -224,10 +224,10 @@ TEST(EnvironmentTest, OneThatRestsOnItsGoalInACorridorPaysForWhoCannotPass) {
   Environment world(instanceOf(".....\n", {{0, 2}, {0, 0}}, {{0, 2}, {0, 4}}), {}, {0.F, 0.F});
   EXPECT_EQ((std::vector<int>{1, 0}), world.blockedCounts());
   const StepOutcome outcome = world.step({Action::Stay, Action::Stay}, {{0.F, 45.F}, {0.F, 45.F}});
-  EXPECT_EQ((std::vector<double>{-1.0, -0.3}), outcome.external);
-  EXPECT_EQ((std::vector<double>{-0.65, -0.65}), outcome.social);
-  EXPECT_NEAR(-1.0, outcome.action[0], 1e-12);
-  EXPECT_NEAR(-1.3 * std::sqrt(0.5), outcome.action[1], 1e-12);
+  EXPECT_EQ((std::vector<double>{-1.0, -0.3}), outcome.external_rewards);
+  EXPECT_EQ((std::vector<double>{-0.65, -0.65}), outcome.social_rewards);
+  EXPECT_NEAR(-1.0, outcome.action_rewards[0], 1e-12);
+  EXPECT_NEAR(-1.3 * std::sqrt(0.5), outcome.action_rewards[1], 1e-12);
 }
 
 TEST(EnvironmentTest, AMeanBySvoLeavesEqualRewardsAsTheyAre) {
@@ -236,15 +236,15 @@ TEST(EnvironmentTest, AMeanBySvoLeavesEqualRewardsAsTheyAre) {
   const sylph::Instance blocked = instanceOf(".....\n", {{0, 2}, {0, 0}}, {{0, 2}, {0, 4}});
   Environment world(blocked, options, {0.F, 0.F});
   const StepOutcome halves = world.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {45.F, 45.F}});
-  EXPECT_NEAR(-0.65, halves.action[0], 1e-6);  // of -1 and -0.3
-  EXPECT_NEAR(-0.65, halves.action[1], 1e-6);
+  EXPECT_NEAR(-0.65, halves.action_rewards[0], 1e-6);  // of -1 and -0.3
+  EXPECT_NEAR(-0.65, halves.action_rewards[1], 1e-6);
   const StepOutcome own = world.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {0.F, 0.F}});
-  EXPECT_EQ(own.external, own.action);
+  EXPECT_EQ(own.external_rewards, own.action_rewards);
   options.partners = false;
   Environment alone(blocked, options, {0.F, 0.F});
   const StepOutcome step = alone.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {45.F, 20.F}});
-  EXPECT_NEAR(-1.0, step.action[0], 1e-6);
-  EXPECT_NEAR(-0.3, step.action[1], 1e-6);
+  EXPECT_NEAR(-1.0, step.action_rewards[0], 1e-6);
+  EXPECT_NEAR(-0.3, step.action_rewards[1], 1e-6);
 }
 
 TEST(EnvironmentTest, TheMoreProsocialYieldsUnderTieBreakingAndBothStayWithout) {
@@ -254,7 +254,7 @@ TEST(EnvironmentTest, TheMoreProsocialYieldsUnderTieBreakingAndBothStayWithout) 
   const StepOutcome yielded =
       social.step({Action::East, Action::South}, {{45.F, 0.F}, {45.F, 0.F}});
   EXPECT_EQ((Configuration{{1, 0}, {1, 1}}), social.cells());
-  EXPECT_EQ((std::vector<double>{-2.0, -0.3}), yielded.external);
+  EXPECT_EQ((std::vector<double>{-2.0, -0.3}), yielded.external_rewards);
 
   EnvironmentOptions options;
   options.tie_breaking = false;
@@ -262,7 +262,7 @@ TEST(EnvironmentTest, TheMoreProsocialYieldsUnderTieBreakingAndBothStayWithout) 
   const StepOutcome halted =
       selfish.step({Action::East, Action::South}, {{45.F, 0.F}, {45.F, 0.F}});
   EXPECT_EQ(crossing.starts, selfish.cells());
-  EXPECT_EQ((std::vector<double>{-2.0, -2.0}), halted.external);
+  EXPECT_EQ((std::vector<double>{-2.0, -2.0}), halted.external_rewards);
 }
 
 TEST(EnvironmentTest, WithoutPartnersRewardsAreOnesOwn) {
@@ -271,8 +271,8 @@ TEST(EnvironmentTest, WithoutPartnersRewardsAreOnesOwn) {
   Environment world(instanceOf(".....\n", {{0, 2}, {0, 0}}, {{0, 2}, {0, 4}}), options, {0.F, 0.F});
   EXPECT_EQ((std::vector<AgentId>{0, 1}), world.partners());
   const StepOutcome outcome = world.step({Action::Stay, Action::Stay}, {{0.F, 0.F}, {0.F, 0.F}});
-  EXPECT_EQ(outcome.external, outcome.social);
-  EXPECT_EQ(outcome.external, outcome.action);
+  EXPECT_EQ(outcome.external_rewards, outcome.social_rewards);
+  EXPECT_EQ(outcome.external_rewards, outcome.action_rewards);
   EXPECT_EQ(0.0, world.partnerOverlap(0));
 }
 

@@ -27,14 +27,16 @@ struct Rollout {
   torch::Tensor partners;  ///< rows, int64: of the partner, within the world
   torch::Tensor overlaps;  ///< rows: with the partner
   torch::Tensor actions;   ///< rows, int64
-  torch::Tensor action_log_probs;          ///< rows
-  torch::Tensor svo_levels;                ///< rows, int64
-  torch::Tensor svo_log_probs;             ///< rows
-  torch::Tensor has_svo_choice;            ///< rows
-  torch::Tensor values;                    ///< rows
-  torch::Tensor valid;                     ///< rows x 5
-  torch::Tensor blocks;                    ///< rows
-  torch::Tensor external, social, action;  ///< rows: rewards
+  torch::Tensor action_log_probs;  ///< rows
+  torch::Tensor svo_levels;        ///< rows, int64
+  torch::Tensor svo_log_probs;     ///< rows
+  torch::Tensor has_svo_choice;    ///< rows
+  torch::Tensor values;            ///< rows
+  torch::Tensor valid;             ///< rows x 5
+  torch::Tensor blocks;            ///< rows
+  torch::Tensor external_rewards;  ///< rows
+  torch::Tensor social_rewards;    ///< rows
+  torch::Tensor action_rewards;    ///< rows
   std::vector<EpisodePiece> pieces;
   std::vector<EpisodeRecord> episodes;  ///< those that ended meanwhile
 

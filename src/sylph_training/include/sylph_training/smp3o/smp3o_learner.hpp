@@ -14,7 +14,7 @@ namespace sylph_training {
 
 /// How SMP3O learns. Defaults are those of the paper: He et al. 2024 (arXiv:2408.03063), table
 /// "Hyperparameters".
-struct LearnerOptions {
+struct Smp3oLearnerOptions {
   double gamma = 0.95;   ///< discount, 0 ... 1
   double lambda = 0.95;  ///< of the advantage estimates, 0 ... 1
   double clip = 0.2;     ///< of the probability ratios, > 0
@@ -50,7 +50,7 @@ struct LearningStatistics {
 class Smp3oLearner {
  public:
   /// @throws std::invalid_argument if the options are not valid
-  Smp3oLearner(PolicyModel model, const LearnerOptions& options, torch::Device device);
+  Smp3oLearner(PolicyModel model, const Smp3oLearnerOptions& options, torch::Device device);
 
   /// Some epochs over one rollout.
   LearningStatistics update(const Rollout& rollout, sylph::Rng& rng);
@@ -70,7 +70,7 @@ class Smp3oLearner {
   double takeStep(const torch::Tensor& loss);
 
   PolicyModel model_;
-  LearnerOptions options_;
+  Smp3oLearnerOptions options_;
   torch::Device device_;
   std::unique_ptr<torch::optim::Adam> optimizer_;
 };

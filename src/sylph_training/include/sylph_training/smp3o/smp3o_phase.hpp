@@ -34,7 +34,7 @@ struct Smp3oSettings {
   std::optional<ImitationSettings> imitation;   ///< settings of those steps
   EnvironmentOptions environment;
   SvoOptions svo;
-  LearnerOptions learner;
+  Smp3oLearnerOptions learner;
 
   /// @throws std::runtime_error with one line naming file, line, field and what is allowed
   static Smp3oSettings read(const sylph::YamlMap& yaml);

@@ -44,11 +44,11 @@ struct StepSvo {
 
 /// What one step brought; one entry per agent.
 struct StepOutcome {
-  std::vector<sylph::Action> actions;  ///< those carried out: the wish or Stay
-  std::vector<bool> is_penalized;      ///< to blame for a collision that was averted
-  std::vector<double> external;        ///< R^ex, the reward of the table
-  std::vector<double> social;          ///< R^s = (own + partner's) / rho
-  std::vector<double> action;          ///< R^a = cos(Z) own + sin(Z) partner's
+  std::vector<sylph::Action> actions;    ///< those carried out: the desired one or Stay
+  std::vector<bool> is_penalized;        ///< to blame for a collision that was averted
+  std::vector<double> external_rewards;  ///< R^ex, the reward of the table
+  std::vector<double> social_rewards;    ///< R^s = (own + partner's) / rho
+  std::vector<double> action_rewards;    ///< R^a = cos(Z) own + sin(Z) partner's
 };
 
 /// One world in which agents learn: map, agents, goals, partners, SVOs. He et al. 2024
@@ -86,9 +86,9 @@ class Environment {
   bool isFinished() const { return isSolved() || step_count_ >= options_.max_steps; }
 
   /// Carries out a joint action, less what would collide.
-  /// @param wishes  one per agent
+  /// @param desired  one per agent
   /// @throws std::invalid_argument if the sizes differ, std::logic_error if the episode is over
-  StepOutcome step(const std::vector<sylph::Action>& wishes, const StepSvo& svo);
+  StepOutcome step(const std::vector<sylph::Action>& desired, const StepSvo& svo);
 
  private:
   double externalReward(std::size_t agent, const StepOutcome& outcome) const;

@@ -54,9 +54,11 @@ struct BatchStep {
   std::vector<std::int64_t> svo_levels;  ///< per row: the level drawn
   std::vector<float> svo;                ///< rows x levels: what is fed back
   std::vector<float> has_svo_choice;     ///< per row: 1 if it was drawn from the network's output
-  std::vector<float> external, social, action;  ///< per row: rewards
-  std::vector<bool> is_penalized;               ///< per row: to blame for a collision averted
-  std::vector<char> is_finished, is_solved;     ///< per world, after the step
+  std::vector<float> external_rewards;   ///< per row
+  std::vector<float> social_rewards;     ///< per row
+  std::vector<float> action_rewards;     ///< per row
+  std::vector<bool> is_penalized;        ///< per row: to blame for a collision averted
+  std::vector<char> is_finished, is_solved;  ///< per world, after the step
 };
 
 /// A number of worlds that go on side by side, each with a generator of its own, and what the
@@ -81,9 +83,9 @@ class EnvironmentBatch {
   /// Row of each row's partner.
   std::vector<std::int64_t> partnerRows() const;
 
-  /// @param wishes             one per row
+  /// @param desired             one per row
   /// @param svo_probabilities  rows x svo levels, on the host
-  BatchStep step(const std::vector<sylph::Action>& wishes, const torch::Tensor& svo_probabilities);
+  BatchStep step(const std::vector<sylph::Action>& desired, const torch::Tensor& svo_probabilities);
 
   /// Starts new episodes in the worlds whose episodes have ended.
   /// @return per row now the row that the agent had before, -1 if its episode is new
@@ -110,7 +112,7 @@ class EnvironmentBatch {
   void showProsocialOnGoal(World& world) const;
   void chooseSvo(World& world, std::size_t agent, const float* probabilities, StepSvo& svo,
                  BatchStep& step);
-  void stepWorld(int index, const sylph::Action* wishes, const float* svo_probabilities,
+  void stepWorld(int index, const sylph::Action* desired, const float* svo_probabilities,
                  BatchStep& step);
   void countRows();
 
