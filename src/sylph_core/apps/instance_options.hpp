@@ -28,7 +28,7 @@ inline void addInstanceOptions(CLI::App& app, InstanceOptions& options) {
   app.add_option("--agents", options.agents, "the first N of the scenario")
       ->required()
       ->check(CLI::Range(1, std::numeric_limits<int>::max()));
-  app.add_flag("--rotations", options.rotations, "agents may move round a ring in one timestep");
+  app.add_flag("--rotations", options.rotations, "agents may rotate in one timestep");
 }
 
 }  // namespace sylph

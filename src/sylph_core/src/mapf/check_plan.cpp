@@ -172,7 +172,7 @@ std::optional<PlanViolation> checkPlan(const Instance& instance, const Plan& pla
           rotationsOf(plan[t], [&](const Cell& cell) { return occupants.at(cell); });
       if (!rotations.empty()) {
         return violation(ViolationKind::Rotation, t, rotations.front(),
-                         "agents " + listOf(rotations.front()) + " move round a ring");
+                         "agents " + listOf(rotations.front()) + " rotate");
       }
     }
     occupants.clear(plan[t - 1]);

@@ -53,9 +53,9 @@ class JointAction {
     return found;
   }
 
-  /// Whether the agent is one of a ring in which everybody enters the cell that the next one
+  /// Whether the agent is one of a rotation, in which each enters the cell that the next one
   /// leaves.
-  bool isInRing(AgentId agent) const {
+  bool isInRotation(AgentId agent) const {
     AgentId ahead = agent;
     for (std::size_t hops = 0; hops < cells_.size(); ++hops) {
       const auto next = occupant_.find(target(ahead));
@@ -141,7 +141,7 @@ TieBreaking breakTies(const Grid& grid, const MotionModel& motion, const Configu
       for (const AgentId rival : rivals) {
         penalize(agent, rival);
       }
-    } else if (!motion.rotations && joint.isInRing(agent)) {
+    } else if (!motion.rotations && joint.isInRotation(agent)) {
       is_penalized[static_cast<std::size_t>(agent)] = true;
     } else {
       continue;

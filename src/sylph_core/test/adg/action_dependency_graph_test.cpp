@@ -41,7 +41,7 @@ TEST(ActionDependencyGraphTest, AFollowerWaitsForWhoLeavesInTheSameStep) {
   EXPECT_LT(lead, follow);
 }
 
-TEST(ActionDependencyGraphTest, OnlyTheLatestLeaverIsADependency) {
+TEST(ActionDependencyGraphTest, OnlyTheLatestDepartureIsADependency) {
   // Agents 1 and 2 pass through (0,1) before agent 0 enters it.
   const ActionDependencyGraph graph({{{0, 0}, {0, 1}, {1, 1}},
                                      {{0, 0}, {0, 2}, {1, 1}},
@@ -64,7 +64,7 @@ TEST(ActionDependencyGraphTest, RefusesARingAndNamesItsRobotsAndStep) {
   EXPECT_EQ(1, refused.timestep());
   EXPECT_EQ((std::vector<AgentId>{1, 2, 3, 4}), refused.agents());
   EXPECT_STREQ(
-      "step 1: robot_1, robot_2, robot_3, robot_4 move round a ring, so that each would wait for "
+      "step 1: robot_1, robot_2, robot_3, robot_4 rotate, so that each would wait for "
       "the next one for ever",
       refused.what());
 }
@@ -72,10 +72,11 @@ TEST(ActionDependencyGraphTest, RefusesARingAndNamesItsRobotsAndStep) {
 TEST(ActionDependencyGraphTest, RefusesARingOfEight) {
   Configuration from;
   Configuration to;
-  const std::vector<Cell> ring = {{0, 0}, {0, 1}, {0, 2}, {1, 2}, {2, 2}, {2, 1}, {2, 0}, {1, 0}};
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    from.push_back(ring[i]);
-    to.push_back(ring[(i + 1) % ring.size()]);
+  const std::vector<Cell> rotation = {{0, 0}, {0, 1}, {0, 2}, {1, 2},
+                                      {2, 2}, {2, 1}, {2, 0}, {1, 0}};
+  for (std::size_t i = 0; i < rotation.size(); ++i) {
+    from.push_back(rotation[i]);
+    to.push_back(rotation[(i + 1) % rotation.size()]);
   }
   EXPECT_EQ(8u, refusalOf({from, to}).agents().size());
 }

@@ -136,8 +136,8 @@ void advance(ActionDependencyGraph& graph, int count, int lookahead, Rng& rng) {
     const std::vector<TaskId> ready = inProgress(graph);
     ASSERT_FALSE(ready.empty()) << "deadlock";
     for (const TaskId task : graph.releasedTasks()) {
-      const std::optional<TaskId>& leaver = graph.task(task).leaver;
-      ASSERT_TRUE(!leaver || graph.status(*leaver) == TaskStatus::Done);
+      const std::optional<TaskId>& type2_predecessor = graph.task(task).type2_predecessor;
+      ASSERT_TRUE(!type2_predecessor || graph.status(*type2_predecessor) == TaskStatus::Done);
     }
     ASSERT_TRUE(holdsAreDisjoint(graph));
     graph.complete(pickOne(ready, rng));
@@ -159,7 +159,7 @@ TEST(ActionDependencyGraphProperty, ClosureEqualsTheExhaustiveRules) {
 
 TEST(ActionDependencyGraphProperty, IsRefusedIfAndOnlyIfItHasACycleAndThatIsARing) {
   int refused_plans = 0;
-  int rings_of_three_or_more = 0;
+  int rotations = 0;
   for (std::uint32_t seed = 0; seed < 10 * kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
@@ -177,12 +177,12 @@ TEST(ActionDependencyGraphProperty, IsRefusedIfAndOnlyIfItHasACycleAndThatIsARin
       ASSERT_FALSE(has_cycle);
     } catch (const PlanRefused& refused) {
       ++refused_plans;
-      rings_of_three_or_more += refused.agents().size() >= 3 ? 1 : 0;
+      rotations += refused.agents().size() >= 3 ? 1 : 0;
       ASSERT_EQ(first_ring, refused.timestep()) << refused.what();
     }
   }
   EXPECT_GT(refused_plans, 20);
-  EXPECT_EQ(refused_plans, rings_of_three_or_more);
+  EXPECT_EQ(refused_plans, rotations);
   EXPECT_LT(refused_plans, static_cast<int>(10 * kSeeds) - 20);
 }
 
@@ -199,7 +199,7 @@ TEST(ActionDependencyGraphProperty, EveryAdmissibleOrderArrivesWithoutCollision)
   }
 }
 
-TEST(ActionDependencyGraphProperty, WaitChainsEndWithSomebodyWhoCanMove) {
+TEST(ActionDependencyGraphProperty, WaitChainsEndWithAnAgentThatCanMove) {
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);

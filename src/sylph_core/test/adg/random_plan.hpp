@@ -23,7 +23,7 @@ const Value& pickOne(const std::vector<Value>& values, Rng& rng) {
 }
 
 /// Everybody walks at random; following is allowed, vertex and edge conflicts are not.
-/// @param rotations  whether agents may move round a ring in one timestep
+/// @param rotations  whether agents may rotate
 inline Configuration randomStep(const Grid& grid, const Configuration& from, bool rotations,
                                 Rng& rng) {
   Configuration to = from;
@@ -58,8 +58,8 @@ inline Configuration randomStep(const Grid& grid, const Configuration& from, boo
       }
     }
     if (!rotations && is_settled) {
-      for (const auto& ring : findRotations(from, to)) {
-        for (const AgentId agent : ring) {
+      for (const auto& rotation : findRotations(from, to)) {
+        for (const AgentId agent : rotation) {
           stay(static_cast<std::size_t>(agent));
         }
       }

@@ -127,13 +127,12 @@ TEST_F(CommandsTest, RotationsAreRefusedUnlessAskedFor) {
       "0 r.map 2 2 0 1 0 0 1\n");
   const std::string plan =
       folder_.write("r.txt", "0: (0,0) (0,1) (1,1) (1,0)\n1: (0,1) (1,1) (1,0) (0,0)\n");
-  const std::string ring = " --map " + map + " --scen " + scenario + " --agents 4 ";
-  EXPECT_EQ("refused: step 1: agents 0, 1, 2, 3 move round a ring\n",
-            run("check" + ring + plan).output);
-  EXPECT_EQ(0, run("check --rotations" + ring + plan).status);
-  EXPECT_EQ(0, run("plan --rotations --first" + ring).status);
+  const std::string rotation = " --map " + map + " --scen " + scenario + " --agents 4 ";
+  EXPECT_EQ("refused: step 1: agents 0, 1, 2, 3 rotate\n", run("check" + rotation + plan).output);
+  EXPECT_EQ(0, run("check --rotations" + rotation + plan).status);
+  EXPECT_EQ(0, run("plan --rotations --first" + rotation).status);
   // Four agents on four cells: without rotations nobody can move.
-  const CommandResult stuck = run("plan --json --time-limit 0.5" + ring);
+  const CommandResult stuck = run("plan --json --time-limit 0.5" + rotation);
   EXPECT_EQ(1, stuck.status);
   const auto line = nlohmann::json::parse(stuck.output);
   EXPECT_FALSE(line["solved"].get<bool>());

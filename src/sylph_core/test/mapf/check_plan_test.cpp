@@ -49,12 +49,12 @@ TEST(CheckPlanTest, RefusesARingOnlyWithoutRotations) {
 }
 
 TEST(FindRotationsTest, FindsARingBehindATail) {
-  // Agent 0 wants into the ring of 1, 2, 3, 4 and is no part of it.
+  // Agent 0 wants into the rotation of 1, 2, 3, 4 and is no part of it.
   const Configuration from = {{0, 0}, {0, 1}, {0, 2}, {1, 2}, {1, 1}};
   const Configuration to = {{0, 1}, {0, 2}, {1, 2}, {1, 1}, {0, 1}};
-  const auto rings = findRotations(from, to);
-  ASSERT_EQ(1u, rings.size());
-  EXPECT_EQ((std::vector<AgentId>{1, 2, 3, 4}), rings.front());
+  const auto rotations = findRotations(from, to);
+  ASSERT_EQ(1u, rotations.size());
+  EXPECT_EQ((std::vector<AgentId>{1, 2, 3, 4}), rotations.front());
 }
 
 }  // namespace

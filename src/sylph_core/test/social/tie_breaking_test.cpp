@@ -90,8 +90,9 @@ TieBreaking literalAlgorithm3(const World& world) {
     chain.pop_front();
     const std::vector<std::size_t> restricting = causes(i);
     bool rotates = false;
-    for (const auto& ring : findRotations(world.cells, reached(world, actions))) {
-      rotates |= std::find(ring.begin(), ring.end(), static_cast<AgentId>(i)) != ring.end();
+    for (const auto& rotation : findRotations(world.cells, reached(world, actions))) {
+      rotates |=
+          std::find(rotation.begin(), rotation.end(), static_cast<AgentId>(i)) != rotation.end();
     }
     if (!world.grid.isFree(neighbor(world.cells[i], actions[i]))) {
       penalized[i] = true;

@@ -38,8 +38,8 @@ struct PlanViolation {
 /// He et al. 2024 (arXiv:2408.03063), problem statement.
 std::optional<PlanViolation> checkPlan(const Instance& instance, const Plan& plan);
 
-/// The agents of each rotation, a ring in which each enters the cell that the next one leaves, in
-/// the order of the ring, three agents at least, the lowest index first.
+/// The agents of each rotation, a cycle in which each enters the cell that the next one leaves, in
+/// the order of the cycle, three agents at least, the lowest index first.
 std::vector<std::vector<AgentId>> findRotations(const Configuration& from, const Configuration& to);
 
 }  // namespace sylph

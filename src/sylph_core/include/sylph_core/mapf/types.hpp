@@ -17,8 +17,8 @@ using Plan = std::vector<Configuration>;
 
 /// What the executor can do.
 struct MotionModel {
-  /// Whether agents may move round a ring in one timestep. Standard MAPF allows it; robots that
-  /// hold their start cell until they have arrived cannot do it.
+  /// Whether three or more agents may rotate, each into the cell that the next one leaves. Standard
+  /// MAPF allows it; robots that hold their start cell until they have arrived cannot do it.
   bool rotations = false;
 };
 

@@ -16,7 +16,7 @@ namespace sylph {
 /// agents may be bound to vertices, which is how LaCAM's constraints come in, and without rotations
 /// an agent may not make the move that would close a rotation. Each agent can still fall back on
 /// staying, so that a step without constraints always succeeds; only the guarantee that the first
-/// agent in order gets its first choice is lost where that choice lies in a full ring of agents.
+/// agent in order gets its first choice is lost where that choice lies in a closed cycle of agents.
 class Pibt {
  public:
   /// @param problem  must outlive this object

@@ -16,7 +16,7 @@ constexpr int kMostProsocialLevel = kSvoLevelCount - 1;
 /// @throws std::out_of_range unless 0 <= level < kSvoLevelCount
 double svoOfLevel(int level);
 
-/// Mean angle of a distribution over the levels [deg]: the SVO that people are shown.
+/// Mean angle of a distribution over the levels [deg]: the SVO that is shown.
 /// @param probabilities  one per level, >= 0; they need not sum to 1
 /// @throws std::invalid_argument unless there is one per level and their sum is finite and > 0
 double meanSvo(const std::vector<float>& probabilities);
