@@ -49,8 +49,8 @@ void ActionDependencyGraph::replaceRest(const CommitCut& cut, const std::vector<
     builder.place(agent, rest[index(agent)], cut[index(agent)]);
   }
   for (const Task& task : kept) {
-    builder.addLeaver(task,
-                      !takes_part[index(task.agent)] && task.sequence >= doneCount(task.agent));
+    builder.addDeparture(task,
+                         !takes_part[index(task.agent)] && task.sequence >= doneCount(task.agent));
   }
   std::vector<Task> added = builder.build(agents, plan);
 
@@ -97,8 +97,8 @@ std::vector<Task> ActionDependencyGraph::tasksWithin(const CommitCut& cut) const
     Task copy = task;
     copy.id = static_cast<TaskId>(kept.size());
     new_id[index(task.id)] = copy.id;
-    if (task.leaver) {
-      copy.leaver = new_id[index(*task.leaver)];
+    if (task.type2_predecessor) {
+      copy.type2_predecessor = new_id[index(*task.type2_predecessor)];
     }
     kept.push_back(copy);
   }
@@ -119,8 +119,8 @@ std::vector<TaskId> ActionDependencyGraph::dependencies(TaskId id) const {
   if (dependent.sequence > 0) {
     found.push_back(tasksOf(dependent.agent)[index(dependent.sequence - 1)]);
   }
-  if (dependent.leaver) {
-    found.push_back(*dependent.leaver);
+  if (dependent.type2_predecessor) {
+    found.push_back(*dependent.type2_predecessor);
   }
   return found;
 }
@@ -140,7 +140,7 @@ bool ActionDependencyGraph::isDone(TaskId id) const {
 
 bool ActionDependencyGraph::mayRelease(const Task& task) const {
   return progress_[index(task.agent)].released == task.sequence &&
-         (!task.leaver || isDone(*task.leaver));
+         (!task.type2_predecessor || isDone(*task.type2_predecessor));
 }
 
 std::vector<TaskId> ActionDependencyGraph::release(int lookahead,
@@ -243,11 +243,11 @@ std::optional<Wait> ActionDependencyGraph::waitOf(AgentId agent) const {
   if (!current || status(*current) != TaskStatus::Staged) {
     return std::nullopt;
   }
-  const std::optional<TaskId>& leaver = task(*current).leaver;
-  if (!leaver || isDone(*leaver)) {
+  const std::optional<TaskId>& predecessor = task(*current).type2_predecessor;
+  if (!predecessor || isDone(*predecessor)) {
     return std::nullopt;
   }
-  return Wait{*current, *leaver};
+  return Wait{*current, *predecessor};
 }
 
 std::vector<AgentId> ActionDependencyGraph::waitChain(AgentId agent) const {
@@ -296,12 +296,12 @@ CommitCut ActionDependencyGraph::commitCut(int ahead) const {
                      progress.tasks.begin() + cut.back());
   }
   while (!unchecked.empty()) {
-    const std::optional<TaskId> leaver = task(unchecked.back()).leaver;
+    const std::optional<TaskId> predecessor = task(unchecked.back()).type2_predecessor;
     unchecked.pop_back();
-    if (!leaver) {
+    if (!predecessor) {
       continue;
     }
-    const Task& needed = task(*leaver);
+    const Task& needed = task(*predecessor);
     int& committed = cut[index(needed.agent)];
     const std::vector<TaskId>& tasks = tasksOf(needed.agent);
     for (; committed <= needed.sequence; ++committed) {
@@ -321,11 +321,11 @@ bool ActionDependencyGraph::isClosed(const CommitCut& cut) const {
     }
   }
   return std::all_of(tasks_.begin(), tasks_.end(), [&](const Task& task) {
-    if (task.sequence >= cut[index(task.agent)] || !task.leaver) {
+    if (task.sequence >= cut[index(task.agent)] || !task.type2_predecessor) {
       return true;
     }
-    const Task& leaver = tasks_[index(*task.leaver)];
-    return leaver.sequence < cut[index(leaver.agent)];
+    const Task& predecessor = tasks_[index(*task.type2_predecessor)];
+    return predecessor.sequence < cut[index(predecessor.agent)];
   });
 }
 

@@ -25,7 +25,7 @@ void TaskBuilder::place(AgentId agent, const Cell& cell, int sequence) {
   placed.at = indexOf(cell);
   placed.sequence = sequence;
   AgentId& occupant = cells_[placed.at].occupant;
-  if (occupant != kNobody) {
+  if (occupant != kNoAgent) {
     throw PlanRefused(
         0, {occupant, agent},
         atStep(0) + name(occupant) + " and " + name(agent) + " both start in " + toString(cell));
@@ -33,13 +33,13 @@ void TaskBuilder::place(AgentId agent, const Cell& cell, int sequence) {
   occupant = agent;
 }
 
-void TaskBuilder::addLeaver(const Task& task, bool never_done) {
+void TaskBuilder::addDeparture(const Task& task, bool never_done) {
   CellState& cell = cells_[indexOf(task.start)];
   // The task that leaves a cell later has the greater id: it follows the earlier one.
-  if (!cell.last_leaver || *cell.last_leaver < task.id) {
-    cell.last_leaver = task.id;
-    cell.last_leaver_agent = task.agent;
-    cell.leaver_never_done = never_done;
+  if (!cell.last_departure || *cell.last_departure < task.id) {
+    cell.last_departure = task.id;
+    cell.departed_agent = task.agent;
+    cell.departure_never_done = never_done;
   }
 }
 
@@ -90,7 +90,7 @@ void TaskBuilder::makeTasksBehind(AgentId first, Timestep timestep, std::vector<
     state(agent).queued_in = timestep;
     queue.push_back(agent);
     const AgentId occupant = cells_[state(agent).target].occupant;
-    if (occupant == kNobody) {
+    if (occupant == kNoAgent) {
       break;
     }
     const AgentState& ahead = state(occupant);
@@ -119,13 +119,13 @@ Task TaskBuilder::makeTask(AgentId agent, Timestep timestep) {
   task.action = actionBetween(mover.cell, mover.target_cell).value();
   task.start = mover.cell;
   task.end = mover.target_cell;
-  if (entered.last_leaver && entered.last_leaver_agent != agent) {
-    if (entered.leaver_never_done) {
-      refuseEntry(agent, entered.last_leaver_agent, timestep);
+  if (entered.last_departure && entered.departed_agent != agent) {
+    if (entered.departure_never_done) {
+      refuseEntry(agent, entered.departed_agent, timestep);
     }
-    task.leaver = entered.last_leaver;
+    task.type2_predecessor = entered.last_departure;
   }
-  left = {kNobody, task.id, agent, false};
+  left = {kNoAgent, task.id, agent, false};
   entered.occupant = agent;
   mover.cell = mover.target_cell;
   mover.at = mover.target;
@@ -142,7 +142,7 @@ void TaskBuilder::refuseRing(std::vector<AgentId> queue, AgentId entry, Timestep
   }
   throw PlanRefused(timestep, queue,
                     atStep(timestep) + members +
-                        (queue.size() == 2 ? " swap their cells" : " move round a ring") +
+                        (queue.size() == 2 ? " swap their cells" : " rotate") +
                         ", so that each would wait for the next one for ever");
 }
 

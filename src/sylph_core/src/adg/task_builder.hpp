@@ -26,7 +26,7 @@ class TaskBuilder {
   void place(AgentId agent, const Cell& cell, int sequence);
   /// Tells of a task that was made before the plan and leaves a cell.
   /// @param never_done  nobody may enter that cell: its agent does not move again
-  void addLeaver(const Task& task, bool never_done);
+  void addDeparture(const Task& task, bool never_done);
 
   /// @param agents  agents[i] moves along plan[.][i]; all others rest where they are
   /// @throws PlanRefused
@@ -34,13 +34,13 @@ class TaskBuilder {
 
  private:
   using CellIndex = std::size_t;
-  static constexpr AgentId kNobody = -1;
+  static constexpr AgentId kNoAgent = -1;
 
   struct CellState {
-    AgentId occupant = kNobody;
-    std::optional<TaskId> last_leaver;
-    AgentId last_leaver_agent = kNobody;
-    bool leaver_never_done = false;
+    AgentId occupant = kNoAgent;
+    std::optional<TaskId> last_departure;
+    AgentId departed_agent = kNoAgent;
+    bool departure_never_done = false;
   };
   struct AgentState {
     Cell cell;

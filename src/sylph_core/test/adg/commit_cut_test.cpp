@@ -48,7 +48,7 @@ TEST(ReplaceRestTest, NewTasksWaitForUnfinishedOldOnes) {
   graph.replaceRest(graph.commitCut(), {0, 1, 2},
                     {{{0, 0}, {0, 1}, {0, 3}}, {{0, 0}, {0, 2}, {0, 3}}});
   ASSERT_EQ(2, graph.taskCount());
-  EXPECT_EQ(graph.tasksOf(2).front(), graph.task(graph.tasksOf(1).front()).leaver);
+  EXPECT_EQ(graph.tasksOf(2).front(), graph.task(graph.tasksOf(1).front()).type2_predecessor);
   EXPECT_TRUE(graph.release(1).empty());
   graph.complete(graph.tasksOf(2).front());
   EXPECT_EQ(graph.tasksOf(1), graph.release(1));

@@ -24,7 +24,7 @@ struct Wait {
 /// Type-1: a task follows the same agent's previous one. Type-2: a task that enters a cell follows
 /// the task that leaves it at the same or an earlier timestep; of several, only the latest is kept,
 /// since it follows the others. Hence a task has at most two dependencies, and the graph is built
-/// in one pass over the plan. It has a cycle if and only if agents move round a ring in one
+/// in one pass over the plan. It has a cycle if and only if agents rotate in one
 /// timestep; such a plan is refused.
 ///
 /// An agent holds the start and end cell of each task that is released to it until that task is
@@ -34,7 +34,7 @@ class ActionDependencyGraph {
   /// @param plan   configurations, starts first
   /// @param names  of the agents, for messages; "agent <i>" where empty
   /// @throws PlanRefused naming timestep and agents: no configuration, configurations of unequal
-  /// width, a jump, agents that move round a ring or swap, an agent that enters a cell in which
+  /// width, a jump, agents that rotate or swap, an agent that enters a cell in which
   /// another one still is
   explicit ActionDependencyGraph(const Plan& plan, std::vector<std::string> names = {});
 
@@ -45,7 +45,7 @@ class ActionDependencyGraph {
   /// @param agents  who takes part; the others never move again, not even to finish released tasks
   /// @param plan    plan[t][i] is the cell of agents[i]; plan[0] is configurationAt(cut)
   /// @throws PlanRefused as the constructor; and if a start is not the cut's, or a cell is entered
-  /// that somebody who takes no part holds. The graph then remains as it was.
+  /// that an agent without part holds. The graph then remains as it was.
   /// @throws std::invalid_argument if the cut is not as demanded
   void replaceRest(const CommitCut& cut, const std::vector<AgentId>& agents, const Plan& plan);
 

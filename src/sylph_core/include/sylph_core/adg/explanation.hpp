@@ -3,7 +3,7 @@
 #include "sylph_core/adg/execution.hpp"
 #include "sylph_core/execution/adg_state.hpp"
 
-/// What is known of an execution, for people and messages.
+/// What is known of an execution, for operator and messages.
 namespace sylph {
 
 /// Where a robot is, what it does, whom it waits for and who holds it up.

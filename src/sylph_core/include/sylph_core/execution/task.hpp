@@ -23,7 +23,8 @@ struct Task {
   Action action = Action::Stay;
   Cell start;
   Cell end;
-  std::optional<TaskId> leaver;  ///< type-2 dependency: another agent's task that leaves `end`
+  std::optional<TaskId>
+      type2_predecessor;  ///< type-2 dependency: another agent's task that leaves `end`
 };
 
 }  // namespace sylph
