@@ -193,7 +193,7 @@ void PlannerNode::tickExecuting() {
   if (state_->plan_id > plan_id_) {
     throw MissionFailure(ExecuteMissionResult::PLAN_REFUSED,
                          "plan " + std::to_string(plan_id_) + " was replaced by plan " +
-                             std::to_string(state_->plan_id) + " of somebody else");
+                             std::to_string(state_->plan_id) + " of another mission");
   }
   if (state_->plan_id < plan_id_) {
     if (plan_) {

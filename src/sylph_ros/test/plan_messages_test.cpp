@@ -59,7 +59,7 @@ TEST(PlanMessagesTest, APlanThereAndBackIsTheIdentity) {
   }
 }
 
-TEST(PlanMessagesTest, AMessageTellsPeopleWhoDoesWhat) {
+TEST(PlanMessagesTest, AMessageTellsTheReaderWhoDoesWhat) {
   const JointActions message = toMessage(smallPlan());
   EXPECT_EQ("map", message.header.frame_id);
   ASSERT_EQ(2u, message.steps.size());

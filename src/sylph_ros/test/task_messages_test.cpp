@@ -49,7 +49,7 @@ TEST(TaskMessagesTest, AnOrderThereAndBackIsTheIdentity) {
   EXPECT_EQ((std::vector<sylph::TaskId>{11, 16}), back->dependencies);
 }
 
-TEST(TaskMessagesTest, ATaskTellsPeopleWhoGoesWhere) {
+TEST(TaskMessagesTest, ATaskTellsTheReaderWhoGoesWhere) {
   const sylph_msgs::Task task = toMessage(order(), "robot_3", kFrame);
   EXPECT_EQ("map", task.header.frame_id);
   EXPECT_EQ("robot_3", task.robot_id);

@@ -106,7 +106,7 @@ void RobotController::detectArrival(const Pose2d& pose, const Twist2d& twist_map
 
 void RobotController::onCentralState(ExecutionMode mode, double now_s) {
   if (mode_ == ExecutionMode::Stop && mode == ExecutionMode::Run) {
-    watch_.confirm();  // people have resumed
+    watch_.confirm();  // the operator has resumed
   }
   mode_ = mode;
   central_heard_s_ = now_s;

@@ -121,7 +121,7 @@ TEST(PoseWatchTest, AJumpFromOneFrameToTheNextIsNotBelievedHoweverLongItLasts) {
   EXPECT_EQ("", feed.problem());
 }
 
-TEST(PoseWatchTest, AJumpIsBelievedWhenPeopleConfirmIt) {
+TEST(PoseWatchTest, AJumpIsBelievedWhenTheOperatorConfirmsIt) {
   Feed feed;
   feed.frames(5, {1.0, 1.0, 0.0});
   feed.frames(20, {1.1, 1.0, 0.0});

@@ -85,13 +85,13 @@ TEST(RobotSupervisorTest, AStopOutlastsTheSilenceOfTheCentralNode) {
   expectStop(situation, RobotState::Holding, "stopped");
 }
 
-TEST(RobotSupervisorTest, ADisplacedRobotWaitsForPeople) {
+TEST(RobotSupervisorTest, ADisplacedRobotWaitsForTheOperator) {
   RobotSituation situation = driving();
   situation.is_displaced = true;
   expectStop(situation, RobotState::Holding, "outside the cells");
 }
 
-TEST(RobotSupervisorTest, ATurnedRobotWaitsForPeople) {
+TEST(RobotSupervisorTest, ATurnedRobotWaitsForTheOperator) {
   RobotSituation situation = driving();
   situation.heading_error_rad = -1.5708;
   expectStop(situation, RobotState::Holding, "-90 deg off");

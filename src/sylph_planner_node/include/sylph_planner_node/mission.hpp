@@ -16,7 +16,8 @@
 
 namespace sylph_planner_node {
 
-/// Why a mission ends without success: an outcome of ExecuteMissionResult and one line for people.
+/// Why a mission ends without success: an outcome of ExecuteMissionResult and one line for the
+/// operator.
 class MissionFailure : public std::runtime_error {
  public:
   MissionFailure(std::uint8_t outcome, const std::string& message)

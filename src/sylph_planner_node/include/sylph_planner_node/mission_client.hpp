@@ -24,7 +24,7 @@ struct ClientOptions {
 /// @throws std::runtime_error on an unknown, mistyped or forbidden value
 ClientOptions loadClientOptions(const ros::NodeHandle& private_nh);
 
-/// Sends the mission of an experiment, tells people how it goes and how it ended.
+/// Sends the mission of an experiment, tells the operator how it goes and how it ended.
 class MissionClient {
  public:
   /// @throws std::runtime_error on a bad parameter, experiment or weight file

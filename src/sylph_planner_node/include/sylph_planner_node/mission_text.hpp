@@ -8,7 +8,7 @@
 
 #include "sylph_core/experiment/experiment.hpp"
 
-/// What sylph_mission says to people, and what it asks for.
+/// What sylph_mission tells the operator, and what it asks for.
 namespace sylph_planner_node {
 
 /// The mission of an experiment: all its robots to their goals.
@@ -24,7 +24,7 @@ std::string resultText(const sylph_msgs::ExecuteMissionResult& result);
 /// Name of an outcome of ExecuteMissionResult, e.g. "NO_POSE".
 std::string outcomeName(std::uint8_t outcome);
 
-/// Names joined by ", ", e.g. of the robots that somebody waits for.
+/// Names joined by ", ", e.g. of the robots that are waited for.
 std::string joinNames(const std::vector<std::string>& names);
 
 }  // namespace sylph_planner_node

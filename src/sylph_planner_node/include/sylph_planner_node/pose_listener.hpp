@@ -11,7 +11,7 @@
 
 namespace sylph_planner_node {
 
-/// Hears the poses of robots while somebody wants to know them: motion capture speaks a hundred
+/// Hears the poses of robots while they are wanted: motion capture speaks a hundred
 /// times a second and robot, a mission asks once.
 class PoseListener {
  public:

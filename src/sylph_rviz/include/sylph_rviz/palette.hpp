@@ -5,7 +5,7 @@
 #include <cstddef>
 
 /// Colours of all layers, for a dark background. Hues are those of Okabe and Ito (2008), which
-/// people with any kind of colour vision tell apart; no meaning hangs on red against green.
+/// readers with any kind of colour vision tell apart; no meaning hangs on red against green.
 namespace sylph_rviz {
 
 /// @param red, green, blue  0 ... 255.

@@ -53,13 +53,13 @@ class PoseWatch {
 
   PoseVerdict offer(const TimedPose& pose);
 
-  /// People have looked: where the robot is seen now, it is.
+  /// The operator has looked: where the robot is seen now, it is.
   void confirm() { is_confirmed_ = other_place_.has_value(); }
 
   /// Tells that the robot was told to move `distance_m` since the last call.
   void commanded(double distance_m);
 
-  /// Why the pose is not to be trusted at `now_s`, for people; nothing if it is.
+  /// Why the pose is not to be trusted at `now_s`, for the operator; nothing if it is.
   std::optional<std::string> problem(double now_s) const;
 
   /// The last good pose.

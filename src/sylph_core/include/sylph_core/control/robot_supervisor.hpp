@@ -26,22 +26,23 @@ struct RobotSituation {
 };
 
 struct SupervisorLimits {
-  double central_timeout_s = 0.5;        ///< > 0
-  double heading_correction_rad = 0.35;  ///< larger heading errors are for people to correct, > 0
+  double central_timeout_s = 0.5;  ///< > 0
+  double heading_correction_rad =
+      0.35;  ///< larger heading errors are for the operator to correct, > 0
 };
 
 struct RobotDecision {
   RobotState state = RobotState::Holding;
   Permission permission = Permission::Stop;
-  std::string detail;  ///< why it does not move, for people
+  std::string detail;  ///< why it does not move, for the operator
 };
 
 /// The one place where it is decided whether a robot moves, in order of urgency: pose, emergency
 /// stop, central node, place, heading.
 RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& limits);
 
-/// Remembers an emergency stop until people have let go of it twice: the stop itself is over, and
-/// the central node was stopped and told to go on. So its end alone never moves a robot.
+/// Remembers an emergency stop until the operator has let go of it twice: the stop itself is over,
+/// and the central node was stopped and told to go on. So its end alone never moves a robot.
 class EmergencyLatch {
  public:
   void onEmergencyStop(bool is_pressed);

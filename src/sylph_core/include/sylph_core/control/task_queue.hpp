@@ -22,7 +22,7 @@ enum class TaskVerdict {
 
 struct TaskAnswer {
   TaskVerdict verdict;
-  std::string reason;  ///< for people; empty if Accepted or Repeated
+  std::string reason;  ///< for the operator; empty if Accepted or Repeated
 };
 
 /// Where a robot is when it is offered a task.

@@ -36,7 +36,7 @@ struct RobotExecution {
   std::string root_cause;
 };
 
-/// State of execution as it is told to people, planner and robots, see AdgState.msg.
+/// State of execution as it is told to operator, planner and robots, see AdgState.msg.
 struct AdgState {
   std::uint32_t plan_id = 0;       ///< pending, carried out, or refused last; 0: none yet
   std::uint32_t last_plan_id = 0;  ///< the largest in plans and reports

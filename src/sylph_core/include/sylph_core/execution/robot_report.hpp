@@ -17,7 +17,7 @@ struct RobotReport {
   int accepted = 0;             ///< tasks of the plan received without a gap
   int done = 0;                 ///< tasks of the plan done by measured arrival
   RobotState state = RobotState::Holding;
-  std::string detail;              ///< why it holds or is blind, for people
+  std::string detail;              ///< why it holds or is blind, for the operator
   std::optional<Pose2d> pose;      ///< the last good one; nothing before the first
   double tracking_error_m = 0.0;   ///< distance from the planned segment
   double heading_error_rad = 0.0;  ///< from the held heading

@@ -26,7 +26,7 @@ inline bool operator<(const Cell& a, const Cell& b) {
   return std::tie(a.row, a.col) < std::tie(b.row, b.col);
 }
 
-/// "(row,col)", as in plan files and messages to people.
+/// "(row,col)", as in plan files and messages.
 inline std::string toString(const Cell& cell) {
   return "(" + std::to_string(cell.row) + "," + std::to_string(cell.col) + ")";
 }

@@ -14,7 +14,7 @@
 
 namespace sylph {
 
-/// How long a search is policy-guided before it goes by distance.
+/// How long a search is policy-guided before it is guided by distance alone.
 struct PolicyPatience {
   /// Configurations in a row that are no nearer to the goals, in the sum over the agents, than the
   /// nearest one so far. The next nearer one brings the network back.
