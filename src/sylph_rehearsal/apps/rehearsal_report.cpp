@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <utility>
 
 namespace sylph_rehearsal {
@@ -59,6 +60,35 @@ std::map<Ending, int> countEndings(const std::vector<Rehearsal>& runs) {
   return counts;
 }
 
+std::vector<std::reference_wrapper<const Rehearsal>> worstFirst(
+    const std::vector<Rehearsal>& runs) {
+  std::vector<std::reference_wrapper<const Rehearsal>> sorted(runs.begin(), runs.end());
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const Rehearsal& a, const Rehearsal& b) { return a.ending > b.ending; });
+  return sorted;
+}
+
+struct FaultRow {
+  int runs = 0;
+  std::map<Ending, int> endings;
+};
+
+/// How runs ended, by each kind of fault that they had.
+std::map<std::string, FaultRow> byFault(const std::vector<Rehearsal>& runs) {
+  std::map<std::string, FaultRow> rows;
+  for (const Rehearsal& run : runs) {
+    std::set<std::string> kinds;
+    for (const LabFault& fault : run.faults) {
+      kinds.insert(toName(fault));
+    }
+    for (const std::string& kind : kinds) {
+      ++rows[kind].runs;
+      ++rows[kind].endings[run.ending];
+    }
+  }
+  return rows;
+}
+
 /// Seconds a run, by pair of robots, the longest first.
 std::vector<std::pair<double, std::string>> waits(const sylph::Experiment& experiment,
                                                   const std::vector<Rehearsal>& runs) {
@@ -111,8 +141,16 @@ std::string toTable(const sylph::Experiment& experiment, const std::vector<Rehea
   for (std::size_t i = 0; i < std::min(kMostLines, longest.size()); ++i) {
     text += format("%7.1f  %s\n", longest[i].first, longest[i].second.c_str());
   }
+  auto faults = byFault(runs);
+  if (!faults.empty()) {
+    text += format("\n%-20s %9s %9s %9s %9s\n", "fault", "runs", "finished", "stopped", "violated");
+  }
+  for (auto& [kind, row] : faults) {
+    text += format("%-20s %9d %9d %9d %9d\n", kind.c_str(), row.runs, row.endings[Ending::Finished],
+                   row.endings[Ending::Stopped], row.endings[Ending::Violated]);
+  }
   std::size_t told = 0;
-  for (const Rehearsal& run : runs) {
+  for (const Rehearsal& run : worstFirst(runs)) {
     if (run.ending == Ending::Finished || ++told > kMostLines) {
       continue;
     }
@@ -140,6 +178,10 @@ std::string toJson(const sylph::Experiment& experiment, const std::vector<Rehear
     entry["seed"] = run.seed;
     entry["ending"] = toString(run.ending);
     entry["cause"] = run.cause;
+    entry["faults"] = nlohmann::ordered_json::array();
+    for (const LabFault& fault : run.faults) {
+      entry["faults"].push_back(toYaml(fault, experiment));
+    }
     entry["arrived"] = run.result.arrived;
     entry["plan_steps"] = run.result.plan_steps;
     entry["sum_of_costs"] = run.result.sum_of_costs;

@@ -7,6 +7,7 @@
 #include <exception>
 #include <iostream>
 #include <mutex>
+#include <random>
 #include <string>
 #include <thread>
 #include <vector>
@@ -18,6 +19,7 @@
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_rehearsal/rehearsal.hpp"
 #include "sylph_rehearsal/seeds.hpp"
+#include "sylph_rehearsal/shrink.hpp"
 
 namespace {
 
@@ -29,8 +31,27 @@ struct Options {
   std::string seeds;
   int robots = 0;
   int jobs = 1;
+  std::string faults_path;
+  bool has_random_faults = false;
   bool is_json = false;
 };
+
+/// So many are shrunk, as each takes many runs.
+constexpr int kMostFailures = 3;
+
+/// Draws of a run's faults have nothing to do with its other draws.
+constexpr std::uint32_t kFaultsPart = 4000;
+
+std::vector<sylph_rehearsal::LabFault> faultsOf(const Options& options,
+                                                const sylph::Experiment& experiment) {
+  if (options.has_random_faults) {
+    std::seed_seq sequence{experiment.seed, kFaultsPart};
+    sylph::Rng rng(sequence);
+    return sylph_rehearsal::randomFaults(experiment, rng);
+  }
+  return options.faults_path.empty() ? std::vector<sylph_rehearsal::LabFault>{}
+                                     : sylph_rehearsal::loadFaults(options.faults_path, experiment);
+}
 
 /// Runs each seed once, in so many threads; no run knows of another one.
 std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::SeedRange& seeds) {
@@ -47,7 +68,8 @@ std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::See
       try {
         const sylph::Experiment experiment = sylph_rehearsal::experimentOf(
             options.experiment_path, seeds.first + static_cast<std::uint32_t>(run), options.robots);
-        runs[run] = sylph_rehearsal::rehearse(experiment, {}, policy);
+        runs[run] =
+            sylph_rehearsal::rehearse(experiment, {}, policy, faultsOf(options, experiment));
       } catch (...) {
         const std::lock_guard lock(mutex);
         error = std::current_exception();
@@ -74,6 +96,26 @@ std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::See
   return runs;
 }
 
+/// How to see a run again, and what is the least that makes it fail.
+void tellFailure(const Options& options, const Rehearsal& run) {
+  const sylph::Experiment experiment =
+      sylph_rehearsal::experimentOf(options.experiment_path, run.seed, options.robots);
+  const auto policy =
+      sylph::loadPolicyFor(experiment.planning.planner, experiment.planning.weights_path);
+  const std::vector<sylph_rehearsal::LabFault> least =
+      sylph_rehearsal::shrink(run.faults, [&](const auto& faults) {
+        return sylph_rehearsal::rehearse(experiment, {}, policy, faults).ending == Ending::Violated;
+      });
+  std::cerr << "again: sylph_rehearse " << options.experiment_path << " --seeds " << run.seed
+            << (options.robots > 0 ? " --robots " + std::to_string(options.robots) : "")
+            << (options.has_random_faults ? " --random-faults" : "")
+            << (options.faults_path.empty() ? "" : " --faults " + options.faults_path)
+            << "\nleast that fails, for --faults:\nfaults:" << (least.empty() ? " []" : "") << "\n";
+  for (const sylph_rehearsal::LabFault& fault : least) {
+    std::cerr << "  - " << toYaml(fault, experiment) << "\n";
+  }
+}
+
 int rehearseAll(const Options& options) {
   sylph_rehearsal::SeedRange seeds;
   if (options.seeds.empty()) {
@@ -86,20 +128,26 @@ int rehearseAll(const Options& options) {
   const sylph::Experiment experiment =
       sylph_rehearsal::experimentOf(options.experiment_path, seeds.first, options.robots);
   std::cout << (options.is_json ? toJson(experiment, runs) + "\n" : toTable(experiment, runs));
+  const bool has_faults = options.has_random_faults || !options.faults_path.empty();
+  bool is_good = true;
+  int told = 0;
   for (const Rehearsal& run : runs) {
-    if (run.ending != Ending::Finished) {
-      return EXIT_FAILURE;
+    is_good = is_good &&
+              (run.ending == Ending::Finished || (has_faults && run.ending == Ending::Stopped));
+    if (run.ending == Ending::Violated && told++ < kMostFailures) {
+      tellFailure(options, run);
     }
   }
-  return EXIT_SUCCESS;
+  return is_good ? EXIT_SUCCESS : EXIT_FAILURE;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Rehearses an experiment: the whole lab in one process. Exit status: 0 every run finished, "
-      "1 one did not, 2 bad input.",
+      "Rehearses an experiment: the whole lab in one process. Exit status: 0 every run finished "
+      "or, "
+      "with faults, stopped with a cause; 1 one did not; 2 bad input.",
       "sylph_rehearse");
   Options options;
   app.add_option("experiment", options.experiment_path, "experiment file (YAML)")->required();
@@ -110,6 +158,9 @@ int main(int argc, char** argv) {
   app.add_option("--jobs", options.jobs, "runs at a time")
       ->check(CLI::Range(1, 1024))
       ->capture_default_str();
+  auto* const faults = app.add_option("--faults", options.faults_path, "what goes wrong (YAML)");
+  app.add_flag("--random-faults", options.has_random_faults, "drawn from the seed, some at once")
+      ->excludes(faults);
   app.add_flag("--json", options.is_json, "print one line of JSON");
   return sylph::runCommand(app, argc, argv, [&] { return rehearseAll(options); });
 }

@@ -17,6 +17,8 @@ constexpr double kStart_s = 1000.0;
 /// After the last task is done robots come to rest.
 constexpr double kRest_s = 1.0;
 constexpr double kWaitPeriod_s = 0.1;
+/// What is said of a robot with which nothing is wrong.
+constexpr const char* kNoCause = "is on its way";
 
 constexpr std::uint32_t kPhasePart = 1000;
 constexpr std::uint32_t kLinkPart = 2000;
@@ -49,7 +51,7 @@ sylph::ExecutionLimits limitsOf(const sylph::Experiment& experiment,
 }  // namespace
 
 Lab::Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
-         const std::shared_ptr<const sylph::Policy>& policy)
+         const std::shared_ptr<const sylph::Policy>& policy, const std::vector<LabFault>& faults)
     : experiment_(experiment),
       options_(options),
       queue_(kStart_s),
@@ -62,14 +64,10 @@ Lab::Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
       central_(experiment_, limitsOf(experiment_, options), options.heartbeat_period_s, queue_,
                {[this](const sylph::TaskOrder& task) {
                   const auto robot = static_cast<std::size_t>(task.robot);
+                  oracle_.onOrder(task, queue_.now() - kStart_s);
                   links_[robot].tasks.send([this, robot, task] { robots_[robot]->onTask(task); });
                 },
-                [this](sylph::ExecutionMode mode) {
-                  for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-                    links_[robot].state.send(
-                        [this, robot, mode] { robots_[robot]->onCentralMode(mode); });
-                  }
-                },
+                [this](sylph::ExecutionMode mode) { onMode(mode); },
                 [this](const sylph::AdgState& state) {
                   to_planner_.send([this, state] { planner_.onState(state); });
                 },
@@ -86,7 +84,8 @@ Lab::Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
                [this](const sylph::MissionPlan& plan) {
                  to_central_.send([this, plan] { central_.onPlan(plan); });
                }),
-      oracle_(experiment_.robots.size()),
+      oracle_(experiment_),
+      faults_(faults),
       progress_s_(kStart_s),
       waits_s_(experiment_.robots.size() * experiment_.robots.size(), 0.0) {
   makeLinks();
@@ -116,10 +115,7 @@ void Lab::makeRobots() {
         setup_, queue_,
         Robot::Ports{
             [this, robot](const sylph::Twist2d& twist) { simulation_.command(robot, twist); },
-            [this, robot](const sylph::RobotReport& report) {
-              links_[robot].reports.send(
-                  [this, robot, report] { central_.onReport(static_cast<int>(robot), report); });
-            }}));
+            [this, robot](const sylph::RobotReport& report) { onReport(robot, report); }}));
   }
 }
 
@@ -132,6 +128,9 @@ void Lab::start() {
   for (const auto& robot : robots_) {
     queue_.after(setup_.controller.period_s * sylph::drawFraction(rng),
                  [&node = *robot] { node.start(); });
+  }
+  for (const LabFault& fault : faults_) {
+    queue_.after(fault.fault.at_s, [this, &fault] { begin(fault); });
   }
   queue_.after(simulation_.stepDuration(), [this] { step(); });
   queue_.after(kWaitPeriod_s, [this] { noteWaits(); });
@@ -155,13 +154,46 @@ void Lab::onPose(std::size_t robot, const sylph::Pose2d& pose, double stamp_s) {
 
 void Lab::onEmergencyStop(bool is_pressed, const std::string& reason) {
   for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-    links_[robot].emergency.send(
-        [this, robot, is_pressed] { robots_[robot]->onEmergencyStop(is_pressed); });
+    links_[robot].emergency.send([this, robot, is_pressed] {
+      if (is_pressed && robots_[robot]->isUp()) {
+        oracle_.onStopHeard(robot, queue_.now() - kStart_s);
+      }
+      robots_[robot]->onEmergencyStop(is_pressed);
+    });
   }
   to_central_.send([this, is_pressed, reason] { central_.onEmergencyStop(is_pressed, reason); });
 }
 
+void Lab::onMode(sylph::ExecutionMode mode) {
+  for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
+    links_[robot].state.send([this, robot, mode] {
+      const sylph::Execution* execution = central_.execution();
+      // What was sent before people resumed is late, and no order to stop any more.
+      const bool has_to_stop = mode == sylph::ExecutionMode::Stop && execution != nullptr &&
+                               execution->mode() == sylph::ExecutionMode::Stop;
+      if (has_to_stop && robots_[robot]->isUp()) {
+        oracle_.onStopHeard(robot, queue_.now() - kStart_s);
+      }
+      robots_[robot]->onCentralMode(mode);
+    });
+  }
+}
+
+void Lab::onReport(std::size_t robot, const sylph::RobotReport& report) {
+  oracle_.onReport(robot, report, sylph::position(simulation_.poses()[robot]),
+                   queue_.now() - kStart_s);
+  links_[robot].reports.send(
+      [this, robot, report] { central_.onReport(static_cast<int>(robot), report); });
+}
+
 void Lab::onEvent(const sylph::ExecutionEvent& event) {
+  if (const auto* started = std::get_if<sylph::event::Started>(&event.what)) {
+    oracle_.onStarted(*started->plan);
+  }
+  const auto* mode = std::get_if<sylph::event::Mode>(&event.what);
+  if (mode != nullptr && mode->mode != sylph::ExecutionMode::Stop) {
+    oracle_.onResumed();
+  }
   const bool is_progress = std::holds_alternative<sylph::event::Started>(event.what) ||
                            std::holds_alternative<sylph::event::Done>(event.what) ||
                            std::holds_alternative<sylph::event::Mode>(event.what);
@@ -205,11 +237,15 @@ std::string Lab::causeOfStop() const {
   }
   const sylph::AdgState state = explain(*execution, queue_.now());
   if (!state.message.empty()) {
-    return toString(state.phase) + ": " + state.message;
+    const bool is_running = state.mode == sylph::ExecutionMode::Run;
+    return (is_running ? toString(state.phase) : toString(state.mode)) + ": " + state.message;
   }
   std::string cause;
   for (const sylph::RobotExecution& robot : state.robots) {
-    if (!robot.root_cause.empty()) {
+    if (robot.condition == sylph::RobotCondition::Lost && robot.cell != robot.goal) {
+      cause += (cause.empty() ? "" : "; ") + robot.robot + ": lost";
+    }
+    if (!robot.root_cause.empty() && robot.root_cause.find(kNoCause) == std::string::npos) {
       const std::string line = robot.root_cause_robot + ": " + robot.root_cause;
       if (cause.find(line) == std::string::npos) {
         cause += (cause.empty() ? "" : "; ") + line;
@@ -228,6 +264,7 @@ Rehearsal Lab::run() {
 Rehearsal Lab::summary() {
   Rehearsal rehearsal;
   rehearsal.seed = experiment_.seed;
+  rehearsal.faults = faults_;
   rehearsal.lab_s = queue_.now() - kStart_s;
   rehearsal.violations = oracle_.violations();
   rehearsal.event_log = central_.log();
@@ -251,6 +288,11 @@ Rehearsal Lab::summary() {
     rehearsal.ending = Ending::Finished;
   } else {
     rehearsal.cause = causeOfStop();
+    if (rehearsal.cause.empty()) {
+      rehearsal.ending = Ending::Violated;
+      rehearsal.cause = "nothing says why it stopped";
+      rehearsal.violations.push_back({rehearsal.lab_s, rehearsal.cause});
+    }
   }
   return rehearsal;
 }

@@ -12,6 +12,7 @@
 #include "oracle.hpp"
 #include "robot.hpp"
 #include "sylph_rehearsal/event_queue.hpp"
+#include "sylph_rehearsal/lab_fault.hpp"
 #include "sylph_rehearsal/link.hpp"
 #include "sylph_rehearsal/rehearsal.hpp"
 
@@ -21,7 +22,7 @@ namespace sylph_rehearsal {
 class Lab {
  public:
   Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
-      const std::shared_ptr<const sylph::Policy>& policy);
+      const std::shared_ptr<const sylph::Policy>& policy, const std::vector<LabFault>& faults);
   Lab(const Lab&) = delete;
   Lab& operator=(const Lab&) = delete;
 
@@ -45,6 +46,16 @@ class Lab {
   void step();
   void onPose(std::size_t robot, const sylph::Pose2d& pose, double stamp_s);
   void onEmergencyStop(bool is_pressed, const std::string& reason);
+  void onReport(std::size_t robot, const sylph::RobotReport& report);
+  void onMode(sylph::ExecutionMode mode);
+
+  void begin(const LabFault& fault);
+  void end(const LabFault& fault);
+  void setLinks(const LabFault& fault, bool has_fault);
+  void startCentral();
+  void startRobot(std::size_t robot);
+  /// As often as it takes.
+  void resume(sylph::ExecutionMode mode);
   void onEvent(const sylph::ExecutionEvent& event);
   void noteWaits();
   bool goesOn();
@@ -66,6 +77,7 @@ class Lab {
   Monitor monitor_;
   MissionPlanner planner_;
   Oracle oracle_;
+  std::vector<LabFault> faults_;
   double progress_s_;  // when something was done last
   bool is_over_ = false;
   std::vector<double> waits_s_;  // of each robot for each other one, row by row

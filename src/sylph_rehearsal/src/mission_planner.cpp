@@ -35,34 +35,99 @@ MissionPlanner::MissionPlanner(const sylph::Experiment& experiment,
       poses_(experiment.robots.size()) {}
 
 void MissionPlanner::start() {
-  tick();
+  if (is_up_) {
+    return;
+  }
+  is_up_ = true;
+  stage_ = Stage::Starting;
+  state_.reset();
+  std::fill(poses_.begin(), poses_.end(), std::nullopt);
+  plan_ = {};
+  tick(++life_);
+}
+
+void MissionPlanner::crash() {
+  is_up_ = false;
+  ++life_;
+}
+
+void MissionPlanner::sendAgain() {
+  if (is_up_ && plan_.plan_id != 0 && stage_ != Stage::Planning) {
+    send();
+  }
 }
 
 void MissionPlanner::onState(const sylph::AdgState& state) {
-  state_ = state;
+  if (is_up_) {
+    state_ = state;
+  }
 }
 
 void MissionPlanner::onPose(std::size_t robot, const sylph::Pose2d& pose) {
-  poses_[robot] = pose;
+  if (is_up_) {
+    poses_[robot] = pose;
+  }
 }
 
-void MissionPlanner::tick() {
-  if (stage_ == Stage::Starting && state_ &&
-      std::all_of(poses_.begin(), poses_.end(),
-                  [](const auto& pose) { return pose.has_value(); })) {
-    plan();
-  } else if (stage_ == Stage::Sending && state_->plan_id == plan_.plan_id &&
-             state_->phase != sylph::ExecutionPhase::Pending) {
-    stage_ = Stage::Executing;
-  } else if (stage_ == Stage::Sending && queue_->now() - sent_s_ >= kResendPeriod_s) {
-    send();
-  } else if (stage_ == Stage::Executing && state_->plan_id < plan_.plan_id) {
-    send();  // the central node has lost it
-    stage_ = Stage::Sending;
+void MissionPlanner::tick(int life) {
+  if (life != life_ || stage_ == Stage::Over) {
+    return;
   }
-  if (stage_ != Stage::Over) {
-    queue_->after(kPeriod_s, [this] { tick(); });
+  if (state_) {
+    act();
   }
+  queue_->after(kPeriod_s, [this, life] { tick(life); });
+}
+
+void MissionPlanner::act() {
+  const bool is_of_plan = state_->plan_id == plan_.plan_id;
+  switch (stage_) {
+    case Stage::Starting:
+      if (isUnderWay()) {
+        plan_.plan_id = state_->plan_id;
+        stage_ = Stage::Executing;
+      } else if (std::all_of(poses_.begin(), poses_.end(),
+                             [](const auto& pose) { return pose.has_value(); })) {
+        plan();
+      }
+      return;
+    case Stage::Sending:
+      if (is_of_plan && state_->phase == sylph::ExecutionPhase::Refused) {
+        failure_ = state_->message;
+        stage_ = Stage::Over;
+      } else if (is_of_plan && state_->phase != sylph::ExecutionPhase::Pending) {
+        stage_ = Stage::Executing;
+      } else if (queue_->now() - sent_s_ >= kResendPeriod_s) {
+        send();
+      }
+      return;
+    case Stage::Executing:
+      if (is_of_plan && state_->phase == sylph::ExecutionPhase::Refused) {
+        failure_ = state_->message;
+        stage_ = Stage::Over;
+      } else if (state_->plan_id < plan_.plan_id && !plan_.plan.empty()) {
+        send();  // the central node has lost it
+        stage_ = Stage::Sending;
+      }
+      return;
+    case Stage::Planning:
+    case Stage::Over:
+      return;
+  }
+}
+
+bool MissionPlanner::isUnderWay() const {
+  using Phase = sylph::ExecutionPhase;
+  if (state_->plan_id == 0 || state_->phase == Phase::Idle || state_->phase == Phase::Refused ||
+      state_->phase == Phase::Pending) {
+    return false;
+  }
+  for (std::size_t robot = 0; robot < state_->robots.size(); ++robot) {
+    if (state_->robots[robot].goal != experiment_->robots[robot].goal) {
+      return false;
+    }
+  }
+  return true;
 }
 
 void MissionPlanner::plan() {
@@ -93,9 +158,11 @@ void MissionPlanner::plan() {
   }
   plan_.social.resize(plan_.steps());
   stage_ = Stage::Planning;
-  queue_->after(planning_s_, [this] {
-    stage_ = Stage::Sending;
-    send();
+  queue_->after(planning_s_, [this, life = life_] {
+    if (life == life_) {
+      stage_ = Stage::Sending;
+      send();
+    }
   });
 }
 

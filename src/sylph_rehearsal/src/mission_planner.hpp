@@ -26,8 +26,12 @@ class MissionPlanner {
   MissionPlanner(const sylph::Experiment& experiment, std::unique_ptr<sylph::Planner> planner,
                  double planning_s, EventQueue& queue, PlanPort send);
 
-  /// The mission begins as soon as the central node and all poses are heard.
+  /// The mission begins as soon as the central node and all poses are heard; or goes on, if it is
+  /// under way already.
   void start();
+  void crash();
+  /// Sends the plan to somebody who has missed it.
+  void sendAgain();
   void onState(const sylph::AdgState& state);
   void onPose(std::size_t robot, const sylph::Pose2d& pose);
 
@@ -37,7 +41,9 @@ class MissionPlanner {
  private:
   enum class Stage { Starting, Planning, Sending, Executing, Over };
 
-  void tick();
+  void tick(int life);
+  void act();
+  bool isUnderWay() const;
   void plan();
   void send();
 
@@ -53,6 +59,8 @@ class MissionPlanner {
   sylph::MissionPlan plan_;
   double sent_s_ = 0.0;
   std::string failure_;
+  bool is_up_ = false;
+  int life_ = 0;
 };
 
 }  // namespace sylph_rehearsal

@@ -25,12 +25,14 @@ class Monitor {
   /// @return whether the stop is over: not while robots are too close
   bool reset();
 
+  /// Whether robots have to stop, to all.
+  void tell() { stop_(has_tripped_, reason_); }
+
   bool hasTripped() const { return has_tripped_; }
   const sylph::PairGap& closestEver() const { return watch_.closestEver(); }
 
  private:
   void tick();
-  void tell() { stop_(has_tripped_, reason_); }
 
   sylph::SeparationWatch watch_;
   double limit_m_;

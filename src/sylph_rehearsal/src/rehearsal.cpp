@@ -44,9 +44,10 @@ void requireValid(const RehearsalOptions& options) {
 }
 
 Rehearsal rehearse(const sylph::Experiment& experiment, const RehearsalOptions& options,
-                   const std::shared_ptr<const sylph::Policy>& policy) {
+                   const std::shared_ptr<const sylph::Policy>& policy,
+                   const std::vector<LabFault>& faults) {
   requireValid(options);
-  Lab lab(experiment, options, policy);
+  Lab lab(experiment, options, policy, faults);
   return lab.run();
 }
 

@@ -2,8 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "sylph_rehearsal/seeds.hpp"
 
@@ -43,6 +46,85 @@ TEST(RehearsalTest, TheSameSeedGivesTheSameEventLog) {
   EXPECT_EQ(once.result.min_separation_m, again.result.min_separation_m);
   const Rehearsal other = rehearse(labExperiment("lab_room", 4), {}, nullptr);
   EXPECT_NE(once.event_log, other.event_log);
+}
+
+LabFault faultOf(LabFaultKind kind, std::vector<std::size_t> robots, double at_s, double duration_s,
+                 double value = 0.0) {
+  LabFault fault;
+  fault.kind = kind;
+  fault.fault.robots = std::move(robots);
+  fault.fault.at_s = at_s;
+  fault.fault.duration_s = duration_s;
+  fault.fault.value = value;
+  return fault;
+}
+
+LabFault simulated(sylph_sim::FaultKind kind, std::vector<std::size_t> robots, double at_s,
+                   double duration_s) {
+  LabFault fault = faultOf(LabFaultKind::Simulated, std::move(robots), at_s, duration_s,
+                           sylph_sim::defaultValue(kind));
+  fault.fault.kind = kind;
+  return fault;
+}
+
+TEST(FaultedRehearsalTest, GoesOnAfterWhatPasses) {
+  using sylph_sim::FaultKind;
+  LabFault cut = faultOf(LabFaultKind::Network, {}, 4.0, 5.0);
+  cut.link.loss = 1.0;
+  LabFault bad_network = faultOf(LabFaultKind::Network, {}, 1.0, 1e6);
+  bad_network.link = {0.1, 0.3, 0.3, 0.2, 0.2, 0.2};
+  for (const LabFault& fault : {cut,
+                                bad_network,
+                                faultOf(LabFaultKind::CrashCentral, {}, 5.0, 2.0),
+                                faultOf(LabFaultKind::CrashCentral, {}, 0.7, 2.0),
+                                faultOf(LabFaultKind::CrashRobot, {2}, 5.0, 2.0),
+                                faultOf(LabFaultKind::CrashPlanner, {}, 0.2, 1.0),
+                                faultOf(LabFaultKind::CrashPlanner, {}, 5.0, 1.0),
+                                faultOf(LabFaultKind::CrashBridge, {}, 5.0, 1.0),
+                                faultOf(LabFaultKind::ClockSkew, {1}, 3.0, 10.0, 0.03),
+                                faultOf(LabFaultKind::Pause, {}, 5.0, 2.0),
+                                faultOf(LabFaultKind::Stop, {}, 5.0, 2.0),
+                                simulated(FaultKind::Stuck, {0}, 4.0, 3.0),
+                                simulated(FaultKind::Deaf, {0}, 4.0, 3.0),
+                                simulated(FaultKind::Lost, {}, 4.0, 2.0),
+                                simulated(FaultKind::Nan, {1}, 4.0, 1.0),
+                                simulated(FaultKind::Frozen, {1}, 4.0, 1.0),
+                                simulated(FaultKind::YawFlip, {1}, 4.0, 1.0),
+                                simulated(FaultKind::Jump, {1}, 4.0, 1.0),
+                                simulated(FaultKind::Swap, {1, 3}, 4.0, 1.0),
+                                simulated(FaultKind::Silent, {}, 4.0, 3.0)}) {
+    SCOPED_TRACE(toName(fault));
+    const Rehearsal run = rehearse(labExperiment("lab_room", 3), {}, nullptr, {fault});
+    EXPECT_EQ(Ending::Finished, run.ending) << run.cause;
+  }
+}
+
+TEST(FaultedRehearsalTest, StopsWithACauseAfterWhatDoesNot) {
+  using sylph_sim::FaultKind;
+  const double for_good = std::numeric_limits<double>::infinity();
+  for (const auto& [fault, cause] :
+       {std::pair{simulated(FaultKind::Dead, {0}, 4.0, for_good), "robot_0: no progress"},
+        std::pair{simulated(FaultKind::Lost, {0}, 4.0, for_good), "robot_0: no good pose"},
+        std::pair{simulated(FaultKind::YawFlip, {0}, 4.0, for_good), "robot_0: no good pose"},
+        std::pair{faultOf(LabFaultKind::CrashRobot, {0}, 4.0, for_good), "robot_0: no report"},
+        std::pair{faultOf(LabFaultKind::CrashCentral, {}, 4.0, for_good),
+                  "the central node is down"},
+        std::pair{faultOf(LabFaultKind::Stop, {}, 4.0, for_good), "stop: by the operator"},
+        std::pair{faultOf(LabFaultKind::DeclareLost, {0}, 4.0, for_good), "robot_0: lost"}}) {
+    SCOPED_TRACE(toName(fault));
+    const Rehearsal run = rehearse(labExperiment("lab_room", 3), {}, nullptr, {fault});
+    EXPECT_EQ(Ending::Stopped, run.ending);
+    EXPECT_NE(std::string::npos, run.cause.find(cause)) << run.cause;
+  }
+}
+
+TEST(FaultedRehearsalTest, TheSameFaultsGiveTheSameEventLog) {
+  sylph::Rng rng(5);
+  const sylph::Experiment experiment = labExperiment("lab_room", 3);
+  const std::vector<LabFault> faults = randomFaults(experiment, rng);
+  const Rehearsal once = rehearse(experiment, {}, nullptr, faults);
+  EXPECT_EQ(once.event_log, rehearse(experiment, {}, nullptr, faults).event_log);
+  EXPECT_NE(once.event_log, rehearse(experiment, {}, nullptr).event_log);
 }
 
 TEST(RehearsalTest, NamesWhyThereIsNoPlan) {

@@ -11,6 +11,7 @@
 #include "sylph_core/control/pose_predictor.hpp"
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/policy/policy.hpp"
+#include "sylph_rehearsal/lab_fault.hpp"
 #include "sylph_rehearsal/link.hpp"
 #include "sylph_sim/simulation.hpp"
 
@@ -60,9 +61,10 @@ struct WaitingTime {
 struct Rehearsal {
   std::uint32_t seed = 0;
   Ending ending = Ending::Stopped;
-  std::string cause;        ///< why it did not finish
-  sylph::RunResult result;  ///< as the central node sums it up
-  double lab_s = 0.0;       ///< time of the lab that the run took
+  std::string cause;             ///< why it did not finish
+  std::vector<LabFault> faults;  ///< that went wrong
+  sylph::RunResult result;       ///< as the central node sums it up
+  double lab_s = 0.0;            ///< time of the lab that the run took
   std::vector<Violation> violations;
   std::vector<WaitingTime> waits;      ///< in order of robot and blocker
   std::vector<std::string> event_log;  ///< of the central node, a line an event
@@ -72,9 +74,11 @@ struct Rehearsal {
 /// every decision is made by the classes that make it in the real one. The same experiment and
 /// options give the same run, whatever else the computer does.
 /// @param policy  of the planner, nullptr if it needs none
+/// @param faults  what goes wrong
 /// @throws std::runtime_error if the experiment has no safety margin
 /// @throws std::invalid_argument as requireValid(), or if its planner is unknown or needs a policy
 Rehearsal rehearse(const sylph::Experiment& experiment, const RehearsalOptions& options,
-                   const std::shared_ptr<const sylph::Policy>& policy);
+                   const std::shared_ptr<const sylph::Policy>& policy,
+                   const std::vector<LabFault>& faults = {});
 
 }  // namespace sylph_rehearsal
