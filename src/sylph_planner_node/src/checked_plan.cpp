@@ -12,8 +12,6 @@
 namespace sylph_planner_node {
 namespace {
 
-using sylph_msgs::ExecuteMissionResult;
-
 struct TimedResult {
   sylph::PlanningResult result;
   double planning_s;
@@ -30,7 +28,7 @@ TimedResult runPlanner(const Mission& mission, const sylph::Instance& instance) 
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     return {std::move(result), took.count()};
   } catch (const std::exception& error) {
-    throw MissionFailure(ExecuteMissionResult::NO_PLAN,
+    throw MissionFailure(MissionOutcome::NoPlan,
                          "planner " + mission.planner + " failed: " + error.what());
   }
 }
@@ -54,7 +52,7 @@ std::vector<sylph::SocialState> completeSocial(std::vector<sylph::SocialState> s
 
 CheckedPlan check(const Mission& mission, const sylph::Instance& instance, TimedResult timed) {
   if (const auto violation = sylph::checkPlan(instance, timed.result.plan)) {
-    throw MissionFailure(ExecuteMissionResult::NO_PLAN,
+    throw MissionFailure(MissionOutcome::NoPlan,
                          "the plan of planner " + mission.planner +
                              " is wrong and was dropped: " + violation->message);
   }
@@ -98,15 +96,15 @@ sylph::Instance toInstance(const Mission& mission, const sylph::Configuration& s
   };
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (!instance.grid.isFree(starts[i])) {
-      throw MissionFailure(ExecuteMissionResult::NO_POSE,
+      throw MissionFailure(MissionOutcome::NoPose,
                            mission.robots[i] + " in cell " + sylph::toString(starts[i]) +
                                " touches a robot that has no part in the mission");
     }
     if (component(starts[i]) != component(mission.goals[i])) {
-      throw MissionFailure(ExecuteMissionResult::BAD_REQUEST,
-                           "goal " + sylph::toString(mission.goals[i]) + " of " +
-                               mission.robots[i] + " cannot be reached from its cell " +
-                               sylph::toString(starts[i]));
+      throw MissionFailure(MissionOutcome::BadRequest, "goal " + sylph::toString(mission.goals[i]) +
+                                                           " of " + mission.robots[i] +
+                                                           " cannot be reached from its cell " +
+                                                           sylph::toString(starts[i]));
     }
   }
   return instance;
@@ -115,9 +113,8 @@ sylph::Instance toInstance(const Mission& mission, const sylph::Configuration& s
 CheckedPlan planMission(const Mission& mission, const sylph::Instance& instance) {
   TimedResult timed = runPlanner(mission, instance);
   if (timed.result.outcome != sylph::Outcome::Solved) {
-    throw MissionFailure(
-        ExecuteMissionResult::NO_PLAN,
-        "planner " + mission.planner + " found no plan: " + sylph::toString(timed.result.outcome));
+    throw MissionFailure(MissionOutcome::NoPlan, "planner " + mission.planner + " found no plan: " +
+                                                     sylph::toString(timed.result.outcome));
   }
   return check(mission, instance, std::move(timed));
 }

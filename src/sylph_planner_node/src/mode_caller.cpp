@@ -21,12 +21,10 @@ std::string callTrigger(const std::string& service) {
 }  // namespace
 
 void ModeCaller::pause() {
-  is_paused_by_us_ = true;
   call(sylph_ros::kPauseService);
 }
 
 void ModeCaller::resume() {
-  is_paused_by_us_ = false;
   call(sylph_ros::kResumeService);
 }
 

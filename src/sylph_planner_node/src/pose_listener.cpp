@@ -1,5 +1,6 @@
 #include "sylph_planner_node/pose_listener.hpp"
 
+#include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_planner_node {
@@ -20,6 +21,16 @@ void PoseListener::start(const std::vector<std::string>& robots) {
 
 void PoseListener::stop() {
   subscribers_.clear();
+}
+
+RobotPoses PoseListener::judged(double timeout_s) const {
+  RobotPoses poses;
+  for (const auto& [robot, measured] : poses_) {
+    const sylph_ros::JudgedPose judged =
+        sylph_ros::judgePose(measured.pose, clock_.now() - measured.received_s, timeout_s);
+    poses[robot] = {judged.pose, judged.reason};
+  }
+  return poses;
 }
 
 }  // namespace sylph_planner_node

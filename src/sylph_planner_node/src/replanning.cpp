@@ -5,21 +5,20 @@
 
 #include "sylph_core/grid/components.hpp"
 #include "sylph_core/grid/distance_field.hpp"
-#include "sylph_ros/conversions.hpp"
 
 namespace sylph_planner_node {
 namespace {
 
-using sylph_msgs::ExecuteMissionResult;
-using sylph_msgs::RobotExecution;
+using sylph::RobotCondition;
+using sylph::RobotExecution;
 
 [[noreturn]] void fail(const std::string& message) {
-  throw MissionFailure(ExecuteMissionResult::PLAN_REFUSED, "cannot plan the rest: " + message);
+  throw MissionFailure(MissionOutcome::PlanRefused, "cannot plan the rest: " + message);
 }
 
-const RobotExecution& executionOf(const std::string& robot, const sylph_msgs::AdgState& cut) {
+const RobotExecution& executionOf(const std::string& robot, const sylph::AdgState& cut) {
   const auto found = std::find_if(cut.robots.begin(), cut.robots.end(),
-                                  [&](const RobotExecution& r) { return r.robot_id == robot; });
+                                  [&](const RobotExecution& r) { return r.robot == robot; });
   if (found == cut.robots.end()) {
     fail("the central node does not know " + robot);
   }
@@ -74,23 +73,23 @@ void adaptGoals(const sylph::Grid& map, RestOfMission& rest) {
 
 }  // namespace
 
-RestOfMission restOfMission(const Mission& mission, const sylph_msgs::AdgState& cut) {
+RestOfMission restOfMission(const Mission& mission, const sylph::AdgState& cut) {
   RestOfMission rest;
   sylph::Instance& instance = rest.instance;
   instance.grid = mission.grid;
   instance.motion.rotations = false;
   for (std::size_t i = 0; i < mission.robots.size(); ++i) {
     const RobotExecution& robot = executionOf(mission.robots[i], cut);
-    if (robot.condition == RobotExecution::LOST) {
-      for (const sylph_msgs::Cell& cell : robot.held_cells) {
-        if (instance.grid.isInside(sylph_ros::fromMessage(cell))) {
-          instance.grid.setObstacle(sylph_ros::fromMessage(cell));
+    if (robot.condition == RobotCondition::Lost) {
+      for (const sylph::Cell& cell : robot.held_cells) {
+        if (instance.grid.isInside(cell)) {
+          instance.grid.setObstacle(cell);
         }
       }
       continue;
     }
     rest.robots.push_back(mission.robots[i]);
-    instance.starts.push_back(sylph_ros::fromMessage(robot.cell));
+    instance.starts.push_back(robot.cell);
     instance.goals.push_back(mission.goals[i]);
   }
   if (rest.robots.empty()) {

@@ -6,13 +6,12 @@
 #include <sstream>
 
 #include "sylph_core/grid/cell_frame.hpp"
-#include "sylph_ros/measured_pose.hpp"
 
 namespace sylph_planner_node {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) {
-  throw MissionFailure(sylph_msgs::ExecuteMissionResult::NO_POSE, message);
+  throw MissionFailure(MissionOutcome::NoPose, message);
 }
 
 std::string metres(double value) {
@@ -21,14 +20,9 @@ std::string metres(double value) {
   return text.str();
 }
 
-sylph_ros::JudgedPose judge(const MeasuredPose& measured, double now_s, double timeout_s) {
-  return sylph_ros::judgePose(measured.pose, now_s - measured.received_s, timeout_s);
-}
-
 }  // namespace
 
-sylph::Configuration startCells(const Mission& mission, const MeasuredPoses& poses, double now_s,
-                                double timeout_s) {
+sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses) {
   const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
   sylph::Configuration cells;
   for (const std::string& robot : mission.robots) {
@@ -36,11 +30,10 @@ sylph::Configuration startCells(const Mission& mission, const MeasuredPoses& pos
     if (measured == poses.end()) {
       refuse("no pose of " + robot + " has come");
     }
-    const sylph_ros::JudgedPose judged = judge(measured->second, now_s, timeout_s);
-    if (judged.fault != sylph_ros::PoseFault::None) {
-      refuse("the pose of " + robot + " " + judged.reason);
+    if (!measured->second.fault.empty()) {
+      refuse("the pose of " + robot + " " + measured->second.fault);
     }
-    const sylph::Point position = sylph::position(judged.pose);
+    const sylph::Point position = sylph::position(measured->second.pose);
     const sylph::Cell cell = frame.toCell(position);
     const std::string where = robot + " at (" + metres(position.x) + ", " + metres(position.y) +
                               ") m is in cell " + sylph::toString(cell);
@@ -60,21 +53,18 @@ sylph::Configuration startCells(const Mission& mission, const MeasuredPoses& pos
   return cells;
 }
 
-std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission, const sylph::Experiment& lab,
-                                           const MeasuredPoses& poses, double now_s,
-                                           double timeout_s) {
+std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission,
+                                           const std::vector<sylph::RobotSpec>& lab,
+                                           const RobotPoses& poses) {
   const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
   std::vector<sylph::Cell> cells;
-  for (const sylph::RobotSpec& robot : lab.robots) {
+  for (const sylph::RobotSpec& robot : lab) {
     const auto measured = poses.find(robot.name);
-    if (mission.indexOf(robot.name) < mission.robots.size() || measured == poses.end()) {
+    if (mission.indexOf(robot.name) < mission.robots.size() || measured == poses.end() ||
+        !measured->second.fault.empty()) {
       continue;
     }
-    const sylph_ros::JudgedPose judged = judge(measured->second, now_s, timeout_s);
-    if (judged.fault != sylph_ros::PoseFault::None) {
-      continue;
-    }
-    const sylph::Pose2d& pose = judged.pose;
+    const sylph::Pose2d& pose = measured->second.pose;
     const double c = std::abs(std::cos(pose.yaw_rad));
     const double s = std::abs(std::sin(pose.yaw_rad));
     const double reach_x = (robot.length_m * c + robot.width_m * s) / 2.0;

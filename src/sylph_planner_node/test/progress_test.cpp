@@ -1,29 +1,29 @@
 #include "sylph_planner_node/progress.hpp"
 
 #include <gtest/gtest.h>
-#include <sylph_msgs/TaskReport.h>
 
 #include "small_lab.hpp"
-#include "sylph_ros/conversions.hpp"
 
 namespace sylph_planner_node {
 namespace {
 
-using sylph_msgs::AdgState;
-using sylph_msgs::ExecuteMissionResult;
-using sylph_msgs::RobotExecution;
+using sylph::AdgState;
+using sylph::ExecutionMode;
+using sylph::ExecutionPhase;
+using sylph::RobotCondition;
+using sylph::RobotExecution;
 
 /// All robots of the small mission on their goals.
 AdgState finishedState() {
   const Mission mission = smallMission();
   AdgState state;
   state.plan_id = 1;
-  state.phase = AdgState::FINISHED;
+  state.phase = ExecutionPhase::Finished;
   state.elapsed_s = 12.5;
   for (std::size_t i = 0; i < mission.robots.size(); ++i) {
     RobotExecution robot;
-    robot.robot_id = mission.robots[i];
-    robot.cell = sylph_ros::toMessage(mission.goals[i]);
+    robot.robot = mission.robots[i];
+    robot.cell = mission.goals[i];
     robot.goal = robot.cell;
     robot.tasks_total = 4;
     robot.tasks_done = 4;
@@ -35,13 +35,12 @@ AdgState finishedState() {
 TEST(WaitingLinesTest, SayWhoWaitsForWhomAndWhy) {
   AdgState state = finishedState();
   RobotExecution& robot = state.robots[0];
-  robot.waiting = true;
   robot.waited_s = 1.23;
   robot.waits_for_robot = "robot_1";
-  robot.waits_for_cell = sylph_ros::toMessage(sylph::Cell{2, 3});
+  robot.waits_for_cell = sylph::Cell{2, 3};
   robot.root_cause_robot = "robot_2";
   robot.root_cause = "has no good pose";
-  state.robots[2].condition = RobotExecution::BLIND;
+  state.robots[2].condition = RobotCondition::Blind;
   const std::vector<std::string> lines = waitingLines(state);
   ASSERT_EQ(2U, lines.size());
   EXPECT_EQ("robot_0 waits 1.2 s for robot_1 to leave (2,3); held up by robot_2: has no good pose",
@@ -52,24 +51,24 @@ TEST(WaitingLinesTest, SayWhoWaitsForWhomAndWhy) {
 TEST(WaitingLinesTest, BeginWithAPause) {
   AdgState state = finishedState();
   EXPECT_TRUE(waitingLines(state).empty());
-  state.mode = AdgState::PAUSE;
+  state.mode = ExecutionMode::Pause;
   state.message = "operator";
   EXPECT_EQ("paused: operator; /sylph/resume goes on", waitingLines(state).front());
 }
 
-TEST(FeedbackTest, CountsTasksAndArrivals) {
+TEST(ProgressTest, CountsTasksAndArrivals) {
   AdgState state = finishedState();
   state.robots[1].tasks_done = 1;
-  const auto feedback = toFeedback("executing", smallMission(), state);
-  EXPECT_EQ("executing", feedback.phase);
-  EXPECT_EQ(9U, feedback.tasks_done);
-  EXPECT_EQ(12U, feedback.tasks_total);
-  EXPECT_EQ(2U, feedback.robots_arrived);
+  const MissionProgress progress = progressOf("executing", smallMission(), state);
+  EXPECT_EQ("executing", progress.phase);
+  EXPECT_EQ(9U, progress.tasks_done);
+  EXPECT_EQ(12U, progress.tasks_total);
+  EXPECT_EQ(2U, progress.robots_arrived);
 }
 
 TEST(FinishedResultTest, IsSuccessOnlyIfAllAreOnTheirGoals) {
   const auto result = finishedResult(smallMission(), finishedState(), {});
-  EXPECT_EQ(ExecuteMissionResult::SUCCESS, result.outcome);
+  EXPECT_EQ(MissionOutcome::Success, result.outcome);
   EXPECT_EQ(3U, result.arrived);
   EXPECT_EQ(3U, result.robots);
   EXPECT_DOUBLE_EQ(12.5, result.execution_s);
@@ -77,11 +76,11 @@ TEST(FinishedResultTest, IsSuccessOnlyIfAllAreOnTheirGoals) {
 
 TEST(FinishedResultTest, SaysWhoDidNotArriveAndWhy) {
   AdgState state = finishedState();
-  state.robots[1].condition = RobotExecution::LOST;
-  state.robots[0].cell = sylph_ros::toMessage(sylph::Cell{0, 3});
+  state.robots[1].condition = RobotCondition::Lost;
+  state.robots[0].cell = sylph::Cell{0, 3};
   const auto result =
       finishedResult(smallMission(), state, {"robot_0 cannot reach (0,4) any more"});
-  EXPECT_EQ(ExecuteMissionResult::INCOMPLETE, result.outcome);
+  EXPECT_EQ(MissionOutcome::Incomplete, result.outcome);
   EXPECT_EQ(1U, result.arrived);
   EXPECT_EQ("1 of 3 robots have arrived; robot_1 is lost; robot_0 cannot reach (0,4) any more",
             result.message);
@@ -90,11 +89,11 @@ TEST(FinishedResultTest, SaysWhoDidNotArriveAndWhy) {
 TEST(IsExecutionOfTest, AsksForTheSameRobotsAndGoals) {
   AdgState state = finishedState();
   EXPECT_FALSE(isExecutionOf(smallMission(), state)) << "finished";
-  state.phase = AdgState::EXECUTING;
+  state.phase = ExecutionPhase::Executing;
   EXPECT_TRUE(isExecutionOf(smallMission(), state));
   state.robots[0].goal.col = 1;
   EXPECT_FALSE(isExecutionOf(smallMission(), state)) << "other goal";
-  state.robots[0].condition = RobotExecution::LOST;
+  state.robots[0].condition = RobotCondition::Lost;
   EXPECT_TRUE(isExecutionOf(smallMission(), state)) << "a lost robot has none";
   state.robots.pop_back();
   EXPECT_FALSE(isExecutionOf(smallMission(), state)) << "a robot is missing";
@@ -103,9 +102,9 @@ TEST(IsExecutionOfTest, AsksForTheSameRobotsAndGoals) {
 TEST(AllHoldTest, NeedsAPauseAndRobotsAtRest) {
   AdgState state = finishedState();
   EXPECT_FALSE(allHold(state));
-  state.mode = AdgState::PAUSE;
+  state.mode = ExecutionMode::Pause;
   EXPECT_TRUE(allHold(state));
-  state.robots[1].report_state = sylph_msgs::TaskReport::MOVING;
+  state.robots[1].report_state = sylph::RobotState::Moving;
   EXPECT_FALSE(allHold(state));
 }
 

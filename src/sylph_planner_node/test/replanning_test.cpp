@@ -3,18 +3,18 @@
 #include <gtest/gtest.h>
 
 #include "small_lab.hpp"
-#include "sylph_ros/conversions.hpp"
 
 namespace sylph_planner_node {
 namespace {
 
-using sylph_msgs::AdgState;
-using sylph_msgs::RobotExecution;
+using sylph::AdgState;
+using sylph::RobotCondition;
+using sylph::RobotExecution;
 
 RobotExecution robotIn(const std::string& name, const sylph::Cell& cell) {
   RobotExecution robot;
-  robot.robot_id = name;
-  robot.cell = sylph_ros::toMessage(cell);
+  robot.robot = name;
+  robot.cell = cell;
   robot.held_cells = {robot.cell};
   return robot;
 }
@@ -24,8 +24,8 @@ AdgState cutWithRobot1Lost(const std::vector<sylph::Cell>& held_cells) {
   AdgState cut;
   cut.robots = {robotIn("robot_0", {0, 1}), robotIn("robot_1", held_cells.front()),
                 robotIn("robot_2", {0, 3})};
-  cut.robots[1].condition = RobotExecution::LOST;
-  cut.robots[1].held_cells = sylph_ros::toMessage(held_cells);
+  cut.robots[1].condition = RobotCondition::Lost;
+  cut.robots[1].held_cells = held_cells;
   return cut;
 }
 
@@ -65,8 +65,8 @@ TEST(RestOfMissionTest, RefusesACutThatDoesNotFit) {
   EXPECT_EQ("4: cannot plan the rest: robot_0 is reported in cell (0,1), which is not free",
             failureOf([&] { restOfMission(smallMission(), cut); }));
   cut = cutWithRobot1Lost({{2, 2}});
-  cut.robots[0].condition = RobotExecution::LOST;
-  cut.robots[2].condition = RobotExecution::LOST;
+  cut.robots[0].condition = RobotCondition::Lost;
+  cut.robots[2].condition = RobotCondition::Lost;
   EXPECT_EQ("4: cannot plan the rest: all robots are lost",
             failureOf([&] { restOfMission(smallMission(), cut); }));
 }

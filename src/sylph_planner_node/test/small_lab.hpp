@@ -41,12 +41,17 @@ inline sylph::Configuration smallStarts() {
 }
 
 /// A pose in the middle of a cell.
-inline geometry_msgs::PoseStamped poseIn(const Mission& mission, const sylph::Cell& cell) {
+inline sylph::Pose2d pose2dIn(const Mission& mission, const sylph::Cell& cell) {
   const sylph::Point point = sylph::CellFrame(mission.grid, mission.cell_size_m).toPoint(cell);
+  return {point.x, point.y, 0.0};
+}
+
+inline geometry_msgs::PoseStamped poseIn(const Mission& mission, const sylph::Cell& cell) {
+  const sylph::Pose2d point = pose2dIn(mission, cell);
   geometry_msgs::PoseStamped pose;
   pose.header.frame_id = "map";
-  pose.pose.position.x = point.x;
-  pose.pose.position.y = point.y;
+  pose.pose.position.x = point.x_m;
+  pose.pose.position.y = point.y_m;
   pose.pose.orientation.w = 1.0;
   return pose;
 }
@@ -57,7 +62,7 @@ std::string failureOf(const Call& call) {
   try {
     call();
   } catch (const MissionFailure& failure) {
-    return std::to_string(failure.outcome()) + ": " + failure.what();
+    return std::to_string(static_cast<int>(failure.outcome())) + ": " + failure.what();
   }
   return "no failure";
 }

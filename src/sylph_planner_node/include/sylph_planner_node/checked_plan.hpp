@@ -27,18 +27,18 @@ sylph::MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std:
 
 /// The instance of a mission: rotations are ruled out, since robots hold the cell that they leave
 /// until they have arrived in the next one.
-/// @throws MissionFailure (BAD_REQUEST) naming the robot whose goal cannot be reached or is taken
+/// @throws MissionFailure (BadRequest) naming the robot whose goal cannot be reached or is taken
 /// by an obstacle
 sylph::Instance toInstance(const Mission& mission, const sylph::Configuration& starts,
                            const std::vector<sylph::Cell>& obstacles);
 
 /// Plans and checks. Takes as long as the mission's time limit: meant for a thread of its own.
-/// @throws MissionFailure (NO_PLAN) if there is none or checkPlan() finds fault with it
+/// @throws MissionFailure (NoPlan) if there is none or checkPlan() finds fault with it
 CheckedPlan planMission(const Mission& mission, const sylph::Instance& instance);
 
 /// As planMission(), but where there is no plan to all goals it goes as far as the planner came,
 /// at worst nowhere: the goals of the returned instance are then where the plan ends.
-/// @throws MissionFailure (NO_PLAN) if checkPlan() finds fault with it
+/// @throws MissionFailure (NoPlan) if checkPlan() finds fault with it
 CheckedPlan planAsFarAsPossible(const Mission& mission, const sylph::Instance& instance);
 
 }  // namespace sylph_planner_node

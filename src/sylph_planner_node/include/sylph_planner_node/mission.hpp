@@ -1,45 +1,51 @@
 #pragma once
 
-#include <sylph_msgs/ExecuteMissionAction.h>
-
+#include <algorithm>
 #include <cstdint>
 #include <memory>
 #include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/grid.hpp"
 #include "sylph_core/mapf/types.hpp"
 #include "sylph_core/policy/policy.hpp"
 
 namespace sylph_planner_node {
 
-/// Why a mission ends without success: an outcome of ExecuteMissionResult and one line for the
-/// operator.
-class MissionFailure : public std::runtime_error {
- public:
-  MissionFailure(std::uint8_t outcome, const std::string& message)
-      : std::runtime_error(message), outcome_(outcome) {}
-  std::uint8_t outcome() const { return outcome_; }
-
- private:
-  std::uint8_t outcome_;
+/// How a mission ends, see ExecuteMission.action.
+enum class MissionOutcome : std::uint8_t {
+  Success = 0,
+  BadRequest = 1,
+  NoPose = 2,
+  NoPlan = 3,
+  PlanRefused = 4,
+  Preempted = 5,
+  Incomplete = 6,
 };
 
-/// The weights of a lab, read when a planner first needs them and never again.
-class Weights {
+/// Why a mission ends without success, in one line for the operator.
+class MissionFailure : public std::runtime_error {
  public:
-  explicit Weights(std::string path) : path_(std::move(path)) {}
-
-  /// @return nothing if the planner needs none
-  /// @throws std::exception with one line if the file is of no use, or there is none
-  std::shared_ptr<const sylph::Policy> of(const std::string& planner);
+  MissionFailure(MissionOutcome outcome, const std::string& message)
+      : std::runtime_error(message), outcome_(outcome) {}
+  MissionOutcome outcome() const { return outcome_; }
 
  private:
-  std::string path_;
-  std::shared_ptr<const sylph::Policy> policy_;
+  MissionOutcome outcome_;
+};
+
+struct MissionResult {
+  MissionOutcome outcome = MissionOutcome::Success;
+  std::string message;
+  std::uint32_t robots = 0;
+  std::uint32_t arrived = 0;
+  std::uint32_t plan_steps = 0;
+  std::uint32_t sum_of_costs = 0;
+  double planning_s = 0.0;   ///< wall time, all plans together [s]
+  double execution_s = 0.0;  ///< from the first task to the last arrival [s]
+  std::uint32_t replans = 0;
 };
 
 /// A mission that has been checked as far as it can be without knowing where the robots are.
@@ -56,17 +62,10 @@ struct Mission {
   std::uint32_t seed = 0;
 
   /// Index of a robot, or robots.size() if it has no part in the mission.
-  std::size_t indexOf(const std::string& robot) const;
+  std::size_t indexOf(const std::string& robot) const {
+    return static_cast<std::size_t>(std::find(robots.begin(), robots.end(), robot) -
+                                    robots.begin());
+  }
 };
-
-/// Reads a request, its map and the weights that its planner needs, and fills in the lab's planner
-/// and time limit where it names none.
-///
-/// Robots must be robots of the lab. The map must have the size of the lab's map and its cells,
-/// because the other nodes turn cells into metres by the lab's; its obstacles may differ.
-/// @param weights  of the planner, if it needs some
-/// @throws MissionFailure (BAD_REQUEST)
-Mission readMission(const sylph_msgs::ExecuteMissionGoal& goal, const sylph::Experiment& lab,
-                    Weights& weights);
 
 }  // namespace sylph_planner_node

@@ -16,9 +16,6 @@ class ModeCaller {
   void pause();
   void resume();
 
-  /// Whether the pause that is in force was asked for here, not by an operator.
-  bool isPausedByUs() const { return is_paused_by_us_; }
-
   /// The reason if a call has failed since the last time that this was asked.
   std::optional<std::string> takeError();
 
@@ -26,7 +23,6 @@ class ModeCaller {
   void call(const std::string& service);
 
   ros::NodeHandle nh_;
-  bool is_paused_by_us_ = false;
   std::future<std::string> answer_;  ///< empty: done
 };
 

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <geometry_msgs/PoseStamped.h>
 #include <ros/node_handle.h>
 #include <ros/subscriber.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,13 +22,20 @@ class PoseListener {
   void start(const std::vector<std::string>& robots);
   void stop();
 
-  const MeasuredPoses& poses() const { return poses_; }
+  /// The last pose of each robot that has been heard.
+  /// @param timeout_s  a pose that came earlier is faulty [s]
+  RobotPoses judged(double timeout_s) const;
 
  private:
+  struct MeasuredPose {
+    geometry_msgs::PoseStamped pose;
+    double received_s = 0.0;  ///< steady time [s]
+  };
+
   ros::NodeHandle nh_;
   sylph_ros::SteadyClock clock_;
   std::vector<ros::Subscriber> subscribers_;
-  MeasuredPoses poses_;
+  std::map<std::string, MeasuredPose> poses_;
 };
 
 }  // namespace sylph_planner_node

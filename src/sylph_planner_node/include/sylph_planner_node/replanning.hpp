@@ -1,10 +1,9 @@
 #pragma once
 
-#include <sylph_msgs/AdgState.h>
-
 #include <string>
 #include <vector>
 
+#include "sylph_core/execution/adg_state.hpp"
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_planner_node/mission.hpp"
 
@@ -20,8 +19,8 @@ struct RestOfMission {
 
 /// Keeps each goal that can still be reached. A robot whose goal is held by a lost robot or cut off
 /// by one gets the free cell next to it that it can reach and nobody else wants.
-/// @throws MissionFailure (PLAN_REFUSED) if `cut` does not tell where each robot is, or all are
+/// @throws MissionFailure (PlanRefused) if `cut` does not tell where each robot is, or all are
 /// lost
-RestOfMission restOfMission(const Mission& mission, const sylph_msgs::AdgState& cut);
+RestOfMission restOfMission(const Mission& mission, const sylph::AdgState& cut);
 
 }  // namespace sylph_planner_node

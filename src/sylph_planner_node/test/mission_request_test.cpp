@@ -1,4 +1,4 @@
-#include "sylph_planner_node/mission.hpp"
+#include "sylph_planner_node/mission_request.hpp"
 
 #include <gtest/gtest.h>
 

@@ -1,4 +1,4 @@
-#include "sylph_planner_node/mission.hpp"
+#include "sylph_planner_node/mission_request.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -13,10 +13,9 @@ namespace sylph_planner_node {
 namespace {
 
 using sylph_msgs::ExecuteMissionGoal;
-using sylph_msgs::ExecuteMissionResult;
 
 [[noreturn]] void refuse(const std::string& message) {
-  throw MissionFailure(ExecuteMissionResult::BAD_REQUEST, message);
+  throw MissionFailure(MissionOutcome::BadRequest, message);
 }
 
 std::string sizeOf(const sylph::Grid& grid) {
@@ -92,10 +91,6 @@ void requirePlanner(const Mission& mission) {
 }
 
 }  // namespace
-
-std::size_t Mission::indexOf(const std::string& robot) const {
-  return static_cast<std::size_t>(std::find(robots.begin(), robots.end(), robot) - robots.begin());
-}
 
 std::shared_ptr<const sylph::Policy> Weights::of(const std::string& planner) {
   if (!sylph::needsPolicy(planner)) {

@@ -1,0 +1,321 @@
+#include "sylph_planner_node/mission_lifecycle.hpp"
+
+#include <algorithm>
+#include <cstdio>
+#include <exception>
+
+#include "sylph_planner_node/replanning.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph::ExecutionPhase;
+using Level = command::Say::Level;
+
+using PlanningFunction = CheckedPlan (*)(const Mission&, const sylph::Instance&);
+
+command::Plan planCommand(PlanningFunction plan, const Mission& mission,
+                          const sylph::Instance& instance) {
+  return {[plan, mission, instance]() -> PlanningOutcome {
+    try {
+      return plan(mission, instance);
+    } catch (const MissionFailure& failure) {
+      return failure;
+    } catch (const std::exception& error) {
+      return MissionFailure(MissionOutcome::NoPlan, error.what());
+    }
+  }};
+}
+
+MissionFailure refusal(const sylph::AdgState& state) {
+  return {MissionOutcome::PlanRefused, "the central node refused the plan: " + state.message};
+}
+
+}  // namespace
+
+void MissionLifecycle::supersede(double now_s) {
+  if (stage_ != Stage::Idle) {
+    pauseIfUnderWay();
+    MissionResult result;
+    result.outcome = MissionOutcome::Preempted;
+    result.message = "another mission has taken its place";
+    finish(result, now_s);
+  }
+}
+
+void MissionLifecycle::begin(Mission mission, double now_s) {
+  mission_ = std::move(mission);
+  totals_ = {};
+  totals_.robots = static_cast<std::uint32_t>(mission_.robots.size());
+  replaces_plan_id_ = 0;
+  given_up_.clear();
+  enter(Stage::Starting, now_s);
+}
+
+void MissionLifecycle::cancel(double now_s) {
+  if (stage_ != Stage::Idle) {
+    pauseIfUnderWay();
+    enter(Stage::Pausing, now_s);
+  }
+}
+
+void MissionLifecycle::fail(const MissionFailure& failure, double now_s) {
+  MissionResult result;
+  result.outcome = failure.outcome();
+  result.message = failure.what();
+  if (stage_ == Stage::Idle) {
+    totals_ = {};
+  } else if (state_) {
+    result.arrived = robotsArrived(mission_, *state_);
+  }
+  finish(result, now_s);
+}
+
+void MissionLifecycle::onAdgState(sylph::AdgState state, double now_s) {
+  state_ = std::move(state);
+  state_received_s_ = now_s;
+}
+
+void MissionLifecycle::onPlanned(PlanningOutcome outcome, double now_s) {
+  is_planning_ = false;
+  if (stage_ != Stage::Planning) {
+    return;  // the mission was left meanwhile
+  }
+  if (const auto* failure = std::get_if<MissionFailure>(&outcome)) {
+    fail(*failure, now_s);
+  } else {
+    send(std::get<CheckedPlan>(outcome), now_s);
+  }
+}
+
+void MissionLifecycle::tick(const RobotPoses& poses, double now_s) {
+  if ((stage_ == Stage::Starting || stage_ == Stage::Sending) && hasBeenSilent(now_s)) {
+    fail({MissionOutcome::PlanRefused, "the central node is silent: no message on " + state_topic_},
+         now_s);
+    return;
+  }
+  try {
+    switch (stage_) {
+      case Stage::Starting:
+        tickStarting(poses, now_s);
+        break;
+      case Stage::Sending:
+        tickSending(now_s);
+        break;
+      case Stage::Executing:
+        tickExecuting(now_s);
+        break;
+      case Stage::Pausing:
+        tickPausing(now_s);
+        break;
+      default:
+        break;
+    }
+  } catch (const MissionFailure& failure) {
+    fail(failure, now_s);
+  }
+}
+
+void MissionLifecycle::tickStarting(const RobotPoses& poses, double now_s) {
+  // What the central node said before the mission may be out of date.
+  if (!state_ || state_received_s_ < stage_since_s_ || is_planning_) {
+    return;
+  }
+  if (isExecutionOf(mission_, *state_)) {
+    plan_id_ = state_->plan_id;
+    say(Level::Info,
+        "plan " + std::to_string(plan_id_) + " of this mission is under way: going on with it");
+    follow(now_s);
+    return;
+  }
+  const double waited_s = now_s - stage_since_s_;
+  if (isBusy(*state_) && !allHold(*state_)) {
+    if (!has_paused_ || waited_s >= limits_.hold_wait_s) {
+      fail({MissionOutcome::BadRequest,
+            "plan " + std::to_string(state_->plan_id) +
+                " of another mission is being carried out: cancel that one first"},
+           now_s);
+    }
+    return;
+  }
+  try {
+    startPlanning(poses, now_s);
+  } catch (const MissionFailure& failure) {
+    if (failure.outcome() != MissionOutcome::NoPose || waited_s > limits_.pose_wait_s) {
+      fail(failure, now_s);
+    }
+  }
+}
+
+void MissionLifecycle::tickSending(double now_s) {
+  if (!state_) {
+    return;
+  }
+  const bool is_known = state_->plan_id == plan_id_;
+  if (is_known && state_->phase == ExecutionPhase::Refused) {
+    fail(refusal(*state_), now_s);
+  } else if (is_known && state_->phase != ExecutionPhase::Pending) {
+    follow(now_s);
+  } else if (now_s - sent_s_ >= limits_.resend_period_s) {
+    sendAgain(now_s);
+  }
+}
+
+void MissionLifecycle::tickExecuting(double now_s) {
+  if (state_->plan_id > plan_id_) {
+    fail({MissionOutcome::PlanRefused, "plan " + std::to_string(plan_id_) +
+                                           " was replaced by plan " +
+                                           std::to_string(state_->plan_id) + " of another mission"},
+         now_s);
+  } else if (state_->plan_id < plan_id_) {
+    if (has_published_) {
+      say(Level::Warning,
+          "the central node has lost plan " + std::to_string(plan_id_) + ": sending it again");
+      sendAgain(now_s);
+      enter(Stage::Sending, now_s);
+    }
+  } else if (state_->phase == ExecutionPhase::Finished) {
+    finish(finishedResult(mission_, *state_, given_up_), now_s);
+  } else if (state_->phase == ExecutionPhase::Refused) {
+    fail(refusal(*state_), now_s);
+  } else if (state_->phase == ExecutionPhase::AtCut) {
+    startReplanning(now_s);
+  }
+}
+
+void MissionLifecycle::tickPausing(double now_s) {
+  const bool is_too_late = now_s - stage_since_s_ > limits_.hold_wait_s;
+  if (has_paused_ && !is_too_late && !(state_ && allHold(*state_))) {
+    return;
+  }
+  MissionResult result;
+  if (state_) {
+    result.arrived = robotsArrived(mission_, *state_);
+    result.execution_s = has_paused_ ? state_->elapsed_s : 0.0;
+  }
+  result.outcome = MissionOutcome::Preempted;
+  result.message = !has_paused_  ? "cancelled before a robot moved"
+                   : is_too_late ? "cancelled; the central node does not say that robots hold"
+                                 : "cancelled: the robots hold at their next cells";
+  finish(result, now_s);
+}
+
+void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
+  const sylph::Configuration starts = startCells(mission_, poses);
+  const sylph::Instance instance =
+      toInstance(mission_, starts, cellsOfBystanders(mission_, lab_, poses));
+  planned_robots_ = mission_.robots;
+  plan(planCommand(planMission, mission_, instance), now_s);
+}
+
+void MissionLifecycle::startReplanning(double now_s) {
+  const RestOfMission rest = restOfMission(mission_, *state_);
+  for (const std::string& line : rest.given_up) {
+    say(Level::Warning, line);
+  }
+  given_up_ = rest.given_up;
+  planned_robots_ = rest.robots;
+  replaces_plan_id_ = plan_id_;
+  ++totals_.replans;
+  Mission limited = mission_;
+  limited.time_limit_s = std::min(limited.time_limit_s, limits_.replanning_time_limit_s);
+  plan(planCommand(planAsFarAsPossible, limited, rest.instance), now_s);
+}
+
+void MissionLifecycle::plan(command::Plan command, double now_s) {
+  commands_.emplace_back(std::move(command));
+  is_planning_ = true;
+  enter(Stage::Planning, now_s);
+}
+
+void MissionLifecycle::send(const CheckedPlan& plan, double now_s) {
+  totals_.planning_s += plan.planning_s;
+  totals_.plan_steps = static_cast<std::uint32_t>(plan.metrics.steps);
+  totals_.sum_of_costs = static_cast<std::uint32_t>(plan.metrics.sum_of_costs);
+  // The central node and the robots remember plans even when this program was started again.
+  const std::uint32_t known = state_ ? std::max(state_->plan_id, state_->last_plan_id) : 0;
+  plan_id_ = std::max(plan_id_, known) + 1;
+  char took[32];
+  std::snprintf(took, sizeof(took), "%.2f s", plan.planning_s);
+  say(Level::Info, "plan " + std::to_string(plan_id_) + " by " + mission_.planner + ": " +
+                       std::to_string(plan.metrics.steps) + " steps, sum of costs " +
+                       std::to_string(plan.metrics.sum_of_costs) + ", " + took);
+  sylph::MissionPlan mission_plan = toMissionPlan(plan, planned_robots_, mission_.planner);
+  mission_plan.plan_id = plan_id_;
+  mission_plan.replaces_plan_id = replaces_plan_id_;
+  commands_.emplace_back(command::Publish{std::move(mission_plan)});
+  has_published_ = true;
+  sent_s_ = now_s;
+  enter(Stage::Sending, now_s);
+}
+
+void MissionLifecycle::sendAgain(double now_s) {
+  commands_.emplace_back(command::PublishAgain{});
+  sent_s_ = now_s;
+}
+
+void MissionLifecycle::follow(double now_s) {
+  if (std::exchange(has_paused_, false)) {
+    commands_.emplace_back(command::Resume{});
+  }
+  enter(Stage::Executing, now_s);
+}
+
+void MissionLifecycle::pauseIfUnderWay() {
+  const bool is_under_way = stage_ == Stage::Sending || stage_ == Stage::Executing ||
+                            (stage_ == Stage::Planning && replaces_plan_id_ != 0);
+  if (is_under_way) {
+    has_paused_ = true;
+    commands_.emplace_back(command::Pause{});
+  }
+}
+
+void MissionLifecycle::finish(MissionResult result, double now_s) {
+  result.robots = totals_.robots;
+  result.planning_s = totals_.planning_s;
+  result.plan_steps = totals_.plan_steps;
+  result.sum_of_costs = totals_.sum_of_costs;
+  result.replans = totals_.replans;
+  last_outcome_ = result.message;
+  if (std::exchange(has_published_, false)) {
+    commands_.emplace_back(command::Withdraw{});
+  }
+  const bool is_failure =
+      result.outcome != MissionOutcome::Success && result.outcome != MissionOutcome::Preempted;
+  say(is_failure ? Level::Error : Level::Info, "mission ends: " + result.message);
+  commands_.emplace_back(command::End{std::move(result)});
+  enter(Stage::Idle, now_s);
+}
+
+void MissionLifecycle::enter(Stage stage, double now_s) {
+  stage_ = stage;
+  stage_since_s_ = now_s;
+}
+
+void MissionLifecycle::say(Level level, const std::string& text) {
+  commands_.emplace_back(command::Say{level, text});
+}
+
+bool MissionLifecycle::hasBeenSilent(double now_s) const {
+  const double since_s = state_ ? std::max(stage_since_s_, state_received_s_) : stage_since_s_;
+  return now_s - since_s > limits_.central_wait_s;
+}
+
+MissionProgress MissionLifecycle::progress() const {
+  const bool has_plan = state_ && (stage_ == Stage::Executing || stage_ == Stage::Pausing);
+  std::string phase = toString(stage_);
+  if (stage_ == Stage::Planning && replaces_plan_id_ != 0) {
+    phase = "replanning";
+  } else if (stage_ == Stage::Executing && state_->phase == ExecutionPhase::Cutting) {
+    phase = "cutting";
+  }
+  return progressOf(phase, mission_, has_plan ? *state_ : sylph::AdgState());
+}
+
+std::string toString(MissionLifecycle::Stage stage) {
+  static constexpr const char* kNames[] = {"idle",    "starting",  "planning",
+                                           "sending", "executing", "pausing"};
+  return kNames[static_cast<int>(stage)];
+}
+
+}  // namespace sylph_planner_node

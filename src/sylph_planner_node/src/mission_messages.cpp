@@ -1,0 +1,45 @@
+#include "sylph_planner_node/mission_messages.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph_msgs::ExecuteMissionResult;
+
+constexpr bool isSame(MissionOutcome outcome, std::uint8_t constant) {
+  return static_cast<std::uint8_t>(outcome) == constant;
+}
+static_assert(isSame(MissionOutcome::Success, ExecuteMissionResult::SUCCESS) &&
+              isSame(MissionOutcome::BadRequest, ExecuteMissionResult::BAD_REQUEST) &&
+              isSame(MissionOutcome::NoPose, ExecuteMissionResult::NO_POSE) &&
+              isSame(MissionOutcome::NoPlan, ExecuteMissionResult::NO_PLAN) &&
+              isSame(MissionOutcome::PlanRefused, ExecuteMissionResult::PLAN_REFUSED) &&
+              isSame(MissionOutcome::Preempted, ExecuteMissionResult::PREEMPTED) &&
+              isSame(MissionOutcome::Incomplete, ExecuteMissionResult::INCOMPLETE));
+
+}  // namespace
+
+sylph_msgs::ExecuteMissionFeedback toMessage(const MissionProgress& progress) {
+  sylph_msgs::ExecuteMissionFeedback message;
+  message.phase = progress.phase;
+  message.tasks_done = progress.tasks_done;
+  message.tasks_total = progress.tasks_total;
+  message.robots_arrived = progress.robots_arrived;
+  message.waiting = progress.waiting;
+  return message;
+}
+
+ExecuteMissionResult toMessage(const MissionResult& result) {
+  ExecuteMissionResult message;
+  message.outcome = static_cast<std::uint8_t>(result.outcome);
+  message.message = result.message;
+  message.robots = result.robots;
+  message.arrived = result.arrived;
+  message.plan_steps = result.plan_steps;
+  message.sum_of_costs = result.sum_of_costs;
+  message.planning_s = result.planning_s;
+  message.execution_s = result.execution_s;
+  message.replans = result.replans;
+  return message;
+}
+
+}  // namespace sylph_planner_node

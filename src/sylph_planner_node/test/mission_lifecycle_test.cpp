@@ -1,0 +1,348 @@
+#include "sylph_planner_node/mission_lifecycle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+#include "small_lab.hpp"
+
+namespace sylph_planner_node {
+namespace {
+
+using sylph::AdgState;
+using sylph::ExecutionMode;
+using sylph::ExecutionPhase;
+using Stage = MissionLifecycle::Stage;
+
+MissionLimits limits() {
+  MissionLimits limits;
+  limits.resend_period_s = 0.5;
+  limits.pose_wait_s = 5.0;
+  limits.central_wait_s = 10.0;
+  limits.hold_wait_s = 8.0;
+  limits.replanning_time_limit_s = 0.2;
+  return limits;
+}
+
+RobotPoses posesInStarts() {
+  const Mission mission = smallMission();
+  RobotPoses poses;
+  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
+    poses[mission.robots[i]] = {pose2dIn(mission, smallStarts()[i]), {}};
+  }
+  return poses;
+}
+
+/// The small lab; the clock stands still unless a test moves it, and each command that was given is
+/// kept.
+class MissionLifecycleTest : public testing::Test {
+ protected:
+  MissionLifecycleTest() {
+    const Mission mission = smallMission();
+    for (std::size_t i = 0; i < mission.robots.size(); ++i) {
+      sylph::RobotExecution robot;
+      robot.robot = mission.robots[i];
+      robot.cell = smallStarts()[i];
+      robot.held_cells = {robot.cell};
+      robot.goal = mission.goals[i];
+      state_.robots.push_back(robot);
+    }
+  }
+
+  void take() {
+    for (MissionCommand& command : lifecycle_.takeCommands()) {
+      commands_.push_back(std::move(command));
+    }
+  }
+
+  void tick() {
+    lifecycle_.tick(poses_, now_s_);
+    take();
+  }
+
+  /// The central node says `state_`, then time for a tick.
+  void hear() {
+    lifecycle_.onAdgState(state_, now_s_);
+    tick();
+  }
+
+  /// The last command of its kind, which the test expects to be there.
+  template <typename Command>
+  Command last() const {
+    for (auto command = commands_.rbegin(); command != commands_.rend(); ++command) {
+      if (const auto* found = std::get_if<Command>(&*command)) {
+        return *found;
+      }
+    }
+    ADD_FAILURE() << "no such command";
+    return {};
+  }
+
+  template <typename Command>
+  std::size_t count() const {
+    std::size_t found = 0;
+    for (const MissionCommand& command : commands_) {
+      found += std::holds_alternative<Command>(command) ? 1 : 0;
+    }
+    return found;
+  }
+
+  MissionResult result() const { return last<command::End>().result; }
+
+  void plan() {
+    ASSERT_EQ(Stage::Planning, lifecycle_.stage());
+    lifecycle_.onPlanned(last<command::Plan>().make(), now_s_);
+    take();
+  }
+
+  void begin() {
+    lifecycle_.begin(smallMission(), now_s_);
+    hear();
+  }
+
+  /// The central node carries out the plan that was sent.
+  void execute() {
+    begin();
+    plan();
+    ASSERT_EQ(Stage::Sending, lifecycle_.stage());
+    state_.plan_id = lifecycle_.planId();
+    state_.phase = ExecutionPhase::Executing;
+    state_.robots[0].report_state = sylph::RobotState::Moving;
+    hear();
+    ASSERT_EQ(Stage::Executing, lifecycle_.stage());
+  }
+
+  void arrive() {
+    for (sylph::RobotExecution& robot : state_.robots) {
+      robot.cell = robot.goal;
+      robot.report_state = sylph::RobotState::Idle;
+    }
+    state_.phase = ExecutionPhase::Finished;
+  }
+
+  double now_s_ = 100.0;
+  RobotPoses poses_ = posesInStarts();
+  AdgState state_;
+  MissionLifecycle lifecycle_{smallLab().robots, limits(), "/sylph/adg_state"};
+  std::vector<MissionCommand> commands_;
+};
+
+TEST_F(MissionLifecycleTest, PlansSendsFollowsAndEnds) {
+  execute();
+  const sylph::MissionPlan plan = last<command::Publish>().plan;
+  EXPECT_EQ(1U, plan.plan_id);
+  EXPECT_EQ(0U, plan.replaces_plan_id);
+  EXPECT_EQ(smallStarts(), plan.plan.front());
+  EXPECT_EQ(smallMission().goals, plan.plan.back());
+  EXPECT_EQ("executing", lifecycle_.progress().phase);
+  arrive();
+  hear();
+  EXPECT_EQ(MissionOutcome::Success, result().outcome) << result().message;
+  EXPECT_EQ(3U, result().arrived);
+  EXPECT_EQ(plan.steps(), result().plan_steps);
+  EXPECT_EQ(1U, count<command::Withdraw>());
+  EXPECT_EQ(Stage::Idle, lifecycle_.stage());
+}
+
+TEST_F(MissionLifecycleTest, WaitsForWordFromTheCentralNodeAfterTheMissionCame) {
+  lifecycle_.onAdgState(state_, now_s_ - 0.1);
+  lifecycle_.begin(smallMission(), now_s_);
+  tick();
+  EXPECT_EQ(Stage::Starting, lifecycle_.stage());
+  hear();
+  EXPECT_EQ(Stage::Planning, lifecycle_.stage());
+}
+
+TEST_F(MissionLifecycleTest, GivesUpOnASilentCentralNode) {
+  lifecycle_.begin(smallMission(), now_s_);
+  now_s_ += 9.9;
+  tick();
+  EXPECT_EQ(Stage::Starting, lifecycle_.stage());
+  now_s_ += 0.2;
+  tick();
+  EXPECT_EQ(MissionOutcome::PlanRefused, result().outcome);
+  EXPECT_EQ("the central node is silent: no message on /sylph/adg_state", result().message);
+}
+
+TEST_F(MissionLifecycleTest, WaitsForPosesOnlySoLong) {
+  poses_.erase("robot_1");
+  begin();
+  EXPECT_EQ(Stage::Starting, lifecycle_.stage());
+  now_s_ += 5.1;
+  hear();
+  EXPECT_EQ(MissionOutcome::NoPose, result().outcome);
+  EXPECT_EQ("no pose of robot_1 has come", result().message);
+}
+
+TEST_F(MissionLifecycleTest, SendsAgainWhatDidNotArrive) {
+  begin();
+  plan();
+  now_s_ += 0.4;
+  hear();
+  EXPECT_EQ(0U, count<command::PublishAgain>());
+  now_s_ += 0.1;
+  hear();
+  EXPECT_EQ(1U, count<command::PublishAgain>());
+  EXPECT_EQ(Stage::Sending, lifecycle_.stage());
+}
+
+TEST_F(MissionLifecycleTest, SendsAPlanAgainThatTheCentralNodeHasLost) {
+  execute();
+  state_.plan_id = 0;
+  state_.phase = ExecutionPhase::Idle;
+  hear();
+  EXPECT_EQ(1U, count<command::PublishAgain>());
+  EXPECT_EQ(Stage::Sending, lifecycle_.stage());
+}
+
+TEST_F(MissionLifecycleTest, NumbersPlansAfterThoseTheCentralNodeKnows) {
+  state_.plan_id = 7;
+  state_.last_plan_id = 12;
+  begin();
+  plan();
+  EXPECT_EQ(13U, last<command::Publish>().plan.plan_id);
+}
+
+TEST_F(MissionLifecycleTest, PassesOnWhyThePlanWasRefused) {
+  begin();
+  plan();
+  state_.plan_id = lifecycle_.planId();
+  state_.phase = ExecutionPhase::Refused;
+  state_.message = "no safety margin";
+  hear();
+  EXPECT_EQ(MissionOutcome::PlanRefused, result().outcome);
+  EXPECT_EQ("the central node refused the plan: no safety margin", result().message);
+}
+
+TEST_F(MissionLifecycleTest, EndsWhenThePlanOfAnotherMissionTakesOver) {
+  execute();
+  state_.plan_id = 5;
+  hear();
+  EXPECT_EQ(MissionOutcome::PlanRefused, result().outcome);
+  EXPECT_EQ("plan 1 was replaced by plan 5 of another mission", result().message);
+}
+
+TEST_F(MissionLifecycleTest, EndsWithThePlannersReason) {
+  begin();
+  lifecycle_.onPlanned(MissionFailure(MissionOutcome::NoPlan, "step limit"), now_s_);
+  take();
+  EXPECT_EQ(MissionOutcome::NoPlan, result().outcome);
+  EXPECT_EQ("step limit", result().message);
+  EXPECT_EQ(0U, count<command::Publish>());
+}
+
+TEST_F(MissionLifecycleTest, PlansTheRestAtTheCut) {
+  execute();
+  state_.robots[1].condition = sylph::RobotCondition::Lost;
+  state_.phase = ExecutionPhase::Cutting;
+  hear();
+  EXPECT_EQ("cutting", lifecycle_.progress().phase);
+  state_.phase = ExecutionPhase::AtCut;
+  hear();
+  EXPECT_EQ("replanning", lifecycle_.progress().phase);
+  plan();
+  const sylph::MissionPlan rest = last<command::Publish>().plan;
+  EXPECT_EQ(2U, rest.plan_id);
+  EXPECT_EQ(1U, rest.replaces_plan_id);
+  EXPECT_EQ((std::vector<std::string>{"robot_0", "robot_2"}), rest.robots);
+  EXPECT_EQ(1U, lifecycle_.totals().replans);
+}
+
+TEST_F(MissionLifecycleTest, PausesAMissionThatIsCancelledUntilTheRobotsHold) {
+  execute();
+  lifecycle_.cancel(now_s_);
+  hear();
+  EXPECT_EQ(1U, count<command::Pause>());
+  EXPECT_EQ(Stage::Pausing, lifecycle_.stage());
+  state_.mode = ExecutionMode::Pause;
+  hear();
+  EXPECT_EQ(Stage::Pausing, lifecycle_.stage()) << "a robot moves";
+  state_.robots[0].report_state = sylph::RobotState::Holding;
+  hear();
+  EXPECT_EQ(MissionOutcome::Preempted, result().outcome);
+  EXPECT_EQ("cancelled: the robots hold at their next cells", result().message);
+}
+
+TEST_F(MissionLifecycleTest, DoesNotWaitForEverForRobotsToHold) {
+  execute();
+  lifecycle_.cancel(now_s_);
+  now_s_ += 8.1;
+  hear();
+  EXPECT_EQ("cancelled; the central node does not say that robots hold", result().message);
+}
+
+TEST_F(MissionLifecycleTest, ForgetsThePlanOfAMissionThatIsCancelledBeforeItIsMade) {
+  begin();
+  lifecycle_.cancel(now_s_);
+  hear();
+  EXPECT_EQ("cancelled before a robot moved", result().message);
+  EXPECT_EQ(0U, count<command::Pause>());
+  begin();
+  EXPECT_EQ(Stage::Starting, lifecycle_.stage()) << "the thread is still at work";
+  lifecycle_.onPlanned(last<command::Plan>().make(), now_s_);
+  take();
+  EXPECT_EQ(0U, count<command::Publish>());
+  hear();
+  EXPECT_EQ(2U, count<command::Plan>());
+}
+
+TEST_F(MissionLifecycleTest, LiftsItsOwnPauseWithTheNextMission) {
+  execute();
+  lifecycle_.supersede(now_s_);
+  take();
+  EXPECT_EQ(MissionOutcome::Preempted, result().outcome);
+  EXPECT_EQ(1U, count<command::Pause>());
+  Mission other = smallMission();
+  other.goals[1] = {1, 0};
+  lifecycle_.begin(other, now_s_);
+  hear();
+  EXPECT_EQ(Stage::Starting, lifecycle_.stage()) << "robots of the old mission move";
+  state_.mode = ExecutionMode::Pause;
+  state_.robots[0].report_state = sylph::RobotState::Holding;
+  hear();
+  plan();
+  EXPECT_EQ(0U, count<command::Resume>());
+  state_.plan_id = lifecycle_.planId();
+  hear();
+  EXPECT_EQ(1U, count<command::Resume>());
+}
+
+TEST_F(MissionLifecycleTest, LeavesAnOperatorsPauseAlone) {
+  state_.mode = ExecutionMode::Pause;
+  execute();
+  arrive();
+  hear();
+  EXPECT_EQ(0U, count<command::Resume>());
+}
+
+TEST_F(MissionLifecycleTest, RefusesToStartWhileAnotherPlanIsCarriedOut) {
+  state_.plan_id = 9;
+  state_.phase = ExecutionPhase::Executing;
+  state_.robots[0].goal = {1, 1};
+  begin();
+  EXPECT_EQ(MissionOutcome::BadRequest, result().outcome);
+  EXPECT_EQ("plan 9 of another mission is being carried out: cancel that one first",
+            result().message);
+}
+
+TEST_F(MissionLifecycleTest, GoesOnWithItsMissionAfterARestart) {
+  state_.plan_id = 9;
+  state_.phase = ExecutionPhase::Executing;
+  begin();
+  EXPECT_EQ(Stage::Executing, lifecycle_.stage());
+  EXPECT_EQ(9U, lifecycle_.planId());
+  EXPECT_EQ(0U, count<command::Plan>());
+  EXPECT_EQ(0U, count<command::Resume>());
+}
+
+TEST_F(MissionLifecycleTest, EndsARequestThatIsNoMission) {
+  lifecycle_.fail({MissionOutcome::BadRequest, "unknown robot 'robot_9'"}, now_s_);
+  take();
+  EXPECT_EQ(MissionOutcome::BadRequest, result().outcome);
+  EXPECT_EQ("unknown robot 'robot_9'", result().message);
+  EXPECT_EQ(0U, result().robots);
+}
+
+}  // namespace
+}  // namespace sylph_planner_node
