@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <exception>
+#include <filesystem>
 
 #include "sylph_adg_central/result_file.hpp"
 #include "sylph_core/adg/explanation.hpp"
@@ -23,6 +25,8 @@ using sylph::ExecutionMode;
 /// AdgState on change, but not more often than this [s].
 constexpr double kShortestStatePeriod = 0.02;
 constexpr std::uint32_t kQueue = 1000;
+/// The folder that this run has taken. The launch file empties it, so that each run begins anew.
+constexpr char kTakenFolderParameter[] = "run_folder_taken";
 
 std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
   std::vector<std::string> names;
@@ -43,6 +47,12 @@ std::string runFolderPath(const ros::NodeHandle& nh, const sylph::Experiment& ex
   return path;
 }
 
+bool isTaken(const ros::NodeHandle& nh, const std::string& folder) {
+  std::string taken;
+  sylph_ros::read(nh, kTakenFolderParameter, taken);
+  return taken == folder;
+}
+
 }  // namespace
 
 CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -54,7 +64,8 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       options_(loadCentralOptions(private_nh, experiment_)),
       frame_(sylph::cellFrameOf(experiment_)),
       names_(namesOf(experiment_)),
-      folder_(runFolderPath(nh, experiment_), experiment_),
+      is_restart_(isTaken(nh, runFolderPath(nh, experiment_))),
+      folder_(runFolderPath(nh, experiment_), experiment_, is_restart_),
       log_(folder_.eventLog(), names_),
       execution_(names_, experiment_.grid.rows(), experiment_.grid.cols(), experiment_.cell_size_m,
                  options_.limits, experiment_.corner),
@@ -95,13 +106,25 @@ void CentralNode::rebuild() {
     }
     record_.add(past);
   }
-  if (!log_.past().empty()) {
+  if (is_restart_ && !log_.past().empty()) {
     ROS_WARN("rebuilt from %zu events: plan %u, %s", log_.past().size(), execution_.planId(),
              toString(execution_.phase()).c_str());
   }
   const auto phase = execution_.phase();
   is_result_due_ = execution_.plan() != nullptr && phase != sylph::ExecutionPhase::Finished &&
                    phase != sylph::ExecutionPhase::Refused;
+  if (!is_restart_ && !log_.past().empty()) {
+    if (!is_result_due_) {
+      folder_.refuse("that is over");
+    }
+    // What was written when that launch ended is no result.
+    std::filesystem::remove(folder_.result());
+    notice_ = "plan " + std::to_string(execution_.planId()) +
+              " of an earlier launch is resumed; to drop it, start with another run folder than " +
+              folder_.path();
+    ROS_WARN("%s", notice_.c_str());
+  }
+  nh_.setParam(kTakenFolderParameter, folder_.path());
 }
 
 void CentralNode::subscribe() {
@@ -113,6 +136,8 @@ void CentralNode::subscribe() {
       nh_.subscribe(sylph_ros::kEmergencyStopTopic, 1, &CentralNode::onEmergencyStop, this));
   subscribers_.push_back(
       nh_.subscribe(sylph_ros::kSimulationTruthTopic, 1, &CentralNode::onTruth, this));
+  subscribers_.push_back(nh_.subscribe(std::string(sylph_ros::kExecuteMissionAction) + "/result",
+                                       10, &CentralNode::onMissionResult, this));
   for (int robot = 0; robot < execution_.robotCount(); ++robot) {
     subscribers_.push_back(nh_.subscribe<sylph_msgs::TaskReport>(
         sylph_ros::robotTopic(nh_, execution_.name(robot), sylph_ros::kTaskReportTopic), 10,
@@ -141,6 +166,11 @@ void CentralNode::advertiseServices() {
 void CentralNode::onJointActions(const sylph_msgs::JointActions& message) {
   if (message.plan_id == 0) {
     return;  // the planner's mission is over
+  }
+  if (!broken_.empty()) {
+    broken_plan_id_ = message.plan_id;
+    publishState();
+    return;
   }
   try {
     execution_.submit(sylph_ros::fromMessage(message), clock_.now());
@@ -185,6 +215,28 @@ void CentralNode::onTruth(const sylph_msgs::SimulationTruth& message) {
   record_.setCollisions(message.collisions);
 }
 
+void CentralNode::onMissionResult(const sylph_msgs::ExecuteMissionActionResult& message) {
+  using Result = sylph_msgs::ExecuteMissionResult;
+  const Result& told = message.result;
+  if (told.outcome == Result::SUCCESS || told.outcome == Result::INCOMPLETE || !broken_.empty()) {
+    return;
+  }
+  sylph::RunResult result;
+  if (is_result_due_) {
+    result = record_.result(execution_, 0.0);
+  }
+  result.success = false;
+  result.message = told.message;
+  result.robots = static_cast<int>(told.robots);
+  result.arrived = static_cast<int>(told.arrived);
+  result.planning_s = told.planning_s;
+  try {
+    writeResult(result, folder_.result());
+  } catch (const std::exception& error) {
+    breakOff(error.what());
+  }
+}
+
 bool CentralNode::onDeclareLost(sylph_msgs::DeclareLost::Request& request,
                                 sylph_msgs::DeclareLost::Response& response) {
   const std::optional<int> robot = execution_.indexOf(request.robot_id);
@@ -225,6 +277,7 @@ struct CentralNode::Follow {
 
   void operator()(const sylph::event::Started& started) const {
     node.is_result_due_ = true;
+    node.notice_.clear();
     sylph::savePlan(started.plan->plan, node.folder_.plan());
     ROS_INFO("plan %u of %zu robots and %u steps is carried out", started.plan->plan_id,
              started.plan->robots.size(), started.plan->steps());
@@ -256,22 +309,37 @@ struct CentralNode::Follow {
 void CentralNode::flush() {
   const double stamp_s = ros::Time::now().toSec();
   const std::vector<sylph::ExecutionEvent> events = execution_.takeEvents();
-  for (const sylph::ExecutionEvent& event : events) {
-    log_.append({stamp_s, event});
-    record_.add({stamp_s, event});
-  }
-  for (const sylph::TaskOrder& order : execution_.takeOrders(clock_.now())) {
-    sylph_msgs::Task task = sylph_ros::toMessage(order, execution_.name(order.robot), frame_);
-    task.header.stamp = ros::Time::now();
-    task_publishers_[static_cast<std::size_t>(order.robot)].publish(task);
-  }
-  for (const sylph::ExecutionEvent& event : events) {
-    std::visit(Follow{*this}, event.what);
-  }
+  const std::vector<sylph::TaskOrder> orders = execution_.takeOrders(clock_.now());
   has_changed_ = has_changed_ || !events.empty();
+  if (broken_.empty()) {
+    try {
+      for (const sylph::ExecutionEvent& event : events) {
+        log_.append({stamp_s, event});
+        record_.add({stamp_s, event});
+      }
+      for (const sylph::TaskOrder& order : orders) {
+        sylph_msgs::Task task = sylph_ros::toMessage(order, execution_.name(order.robot), frame_);
+        task.header.stamp = ros::Time::now();
+        task_publishers_[static_cast<std::size_t>(order.robot)].publish(task);
+      }
+      for (const sylph::ExecutionEvent& event : events) {
+        std::visit(Follow{*this}, event.what);
+      }
+    } catch (const std::exception& error) {
+      breakOff(error.what());
+    }
+  }
   if (has_changed_ && clock_.now() - state_sent_s_ >= kShortestStatePeriod) {
     publishState();
   }
+}
+
+void CentralNode::breakOff(const std::string& reason) {
+  broken_ = reason;
+  broken_plan_id_ = execution_.planId();
+  has_changed_ = true;
+  ROS_ERROR("the mission is broken off, robots finish the tasks that they have: %s",
+            reason.c_str());
 }
 
 void CentralNode::publishState() {
@@ -279,6 +347,13 @@ void CentralNode::publishState() {
   state_sent_s_ = clock_.now();
   sylph_msgs::AdgState state = sylph_ros::toMessage(explain(execution_, state_sent_s_));
   state.header.stamp = ros::Time::now();
+  if (!broken_.empty()) {
+    state.plan_id = broken_plan_id_;
+    state.phase = sylph_msgs::AdgState::REFUSED;
+    state.message = broken_;
+  } else if (state.message.empty() && is_result_due_) {
+    state.message = notice_;
+  }
   state.elapsed_s = record_.elapsed(state.header.stamp.toSec(),
                                     execution_.phase() == sylph::ExecutionPhase::Finished);
   state_publisher_.publish(state);
@@ -295,6 +370,9 @@ void CentralNode::saveResult() {
 void CentralNode::reportDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
   status.summary(DiagnosticStatus::OK, toString(execution_.phase()));
+  if (!broken_.empty()) {
+    status.mergeSummary(DiagnosticStatus::ERROR, broken_);
+  }
   if (execution_.phase() == sylph::ExecutionPhase::Refused) {
     status.summary(DiagnosticStatus::ERROR, execution_.message());
   } else if (execution_.mode() != ExecutionMode::Run) {

@@ -1,5 +1,7 @@
 #include "sylph_adg_central/event_log.hpp"
 
+#include <cerrno>
+#include <cstring>
 #include <filesystem>
 #include <sstream>
 #include <stdexcept>
@@ -12,6 +14,10 @@ std::string readAll(const std::string& path) {
   std::ostringstream content;
   content << file.rdbuf();
   return file ? content.str() : std::string();
+}
+
+[[noreturn]] void failToWrite(const std::string& path, int reason) {
+  throw std::runtime_error(path + ": cannot be written: " + std::strerror(reason));
 }
 
 }  // namespace
@@ -35,14 +41,19 @@ EventLog::EventLog(std::string path, std::vector<std::string> names)
   }
   file_.open(path_, std::ios::app | std::ios::binary);
   if (!file_) {
-    throw std::runtime_error(path_ + ": cannot be written");
+    failToWrite(path_, errno);
   }
 }
 
 void EventLog::append(const sylph::StampedEvent& event) {
+  // A file that has been removed takes lines as before, and nobody will ever read them.
+  if (!std::filesystem::exists(path_)) {
+    failToWrite(path_, ENOENT);
+  }
+  errno = 0;
   file_ << sylph::toLine(event, names_) << '\n' << std::flush;
   if (!file_) {
-    throw std::runtime_error(path_ + ": cannot be written");
+    failToWrite(path_, errno);
   }
 }
 

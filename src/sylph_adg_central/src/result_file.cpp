@@ -2,6 +2,8 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cerrno>
+#include <cstring>
 #include <fstream>
 #include <stdexcept>
 
@@ -44,7 +46,7 @@ void writeResult(const sylph::RunResult& result, const std::string& path) {
   std::ofstream file(path);
   file << yaml.c_str() << "\n";
   if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
+    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
   }
 }
 

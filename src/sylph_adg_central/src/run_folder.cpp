@@ -3,21 +3,43 @@
 #include <array>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 namespace sylph_adg_central {
+namespace {
 
-RunFolder::RunFolder(std::string path, const sylph::Experiment& experiment)
+std::string contentOf(const std::string& path) {
+  std::ifstream file(path, std::ios::binary);
+  return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+}
+
+}  // namespace
+
+RunFolder::RunFolder(std::string path, const sylph::Experiment& experiment, bool is_ours)
     : path_(std::move(path)) {
+  const std::string copy = path_ + "/experiment.yaml";
+  if (!is_ours && std::filesystem::exists(copy) && contentOf(copy) != contentOf(experiment.path)) {
+    refuse("of another experiment");
+  }
+  if (!is_ours && std::filesystem::exists(result()) && !std::filesystem::exists(eventLog())) {
+    refuse("that is over");
+  }
   std::error_code error;
   std::filesystem::create_directories(path_, error);
   if (!error) {
-    std::filesystem::copy_file(experiment.path, path_ + "/experiment.yaml",
+    std::filesystem::copy_file(experiment.path, copy,
                                std::filesystem::copy_options::overwrite_existing, error);
   }
   if (error) {
     throw std::runtime_error("run folder " + path_ + ": " + error.message());
   }
+}
+
+void RunFolder::refuse(const std::string& why) const {
+  throw std::runtime_error("run folder " + path_ + ": holds a run " + why +
+                           "; name one that does not exist yet, or none");
 }
 
 std::string defaultRunFolder(const std::string& experiment, std::time_t now) {

@@ -3,11 +3,16 @@
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <sylph_msgs/AdgState.h>
+#include <sylph_msgs/ExecuteMissionActionResult.h>
 #include <sylph_msgs/RobotExecution.h>
+#include <sys/wait.h>
 #include <yaml-cpp/yaml.h>
 
+#include <array>
 #include <atomic>
+#include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <memory>
 #include <set>
@@ -118,6 +123,25 @@ class CentralNodeTest : public testing::Test {
     spinUntil([&] { return is_over.load(); });
     caller.join();
     return trigger.response.success != 0;
+  }
+
+  /// Exit status and output of one of the operator's commands.
+  std::pair<int, std::string> command(const std::string& name) {
+    const std::string folder = std::filesystem::read_symlink("/proc/self/exe").parent_path();
+    std::pair<int, std::string> ending;
+    std::atomic<bool> is_over{false};
+    std::thread caller([&] {
+      FILE* pipe = popen(("env ROS_NAMESPACE=/ " + folder + "/" + name + " 2>&1").c_str(), "r");
+      std::array<char, 512> buffer{};
+      while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) {
+        ending.second += buffer.data();
+      }
+      ending.first = WEXITSTATUS(pclose(pipe));
+      is_over = true;
+    });
+    spinUntil([&] { return is_over.load(); }, 20.0);
+    caller.join();
+    return ending;
   }
 
   void onState(const AdgState& state) {
@@ -267,6 +291,21 @@ TEST_F(CentralNodeTest, PausesStopsAndResumes) {
   EXPECT_EQ(1, result()["stops"].as<int>());
 }
 
+TEST_F(CentralNodeTest, ObeysTheOperatorsCommands) {
+  EXPECT_EQ(std::make_pair(0, std::string("stop\n")), command("sylph_stop"));
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::STOP; }));
+  EXPECT_EQ(0, command("sylph_pause").first);
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::PAUSE; }));
+  EXPECT_EQ(0, command("sylph_resume").first);
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::RUN; }));
+  EXPECT_EQ(1, command("sylph_stop now").first);
+  node_.reset();
+  const auto [status, output] = command("sylph_stop");
+  EXPECT_EQ(1, status);
+  EXPECT_EQ("sylph_stop: nobody serves /sylph/stop: no central node in this namespace\n", output);
+  start();
+}
+
 TEST_F(CentralNodeTest, AnEmergencyStopHoldsUntilItIsReset) {
   send(jointActions(mission(), names_, 1));
   ASSERT_TRUE(spinUntilPhase(AdgState::EXECUTING));
@@ -341,6 +380,78 @@ TEST_F(CentralNodeTest, ARestartGetsAPendingPlanAgain) {
   robots_[2]->is_silent = false;
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
   expectCarriedOutOnce();
+}
+
+TEST_F(CentralNodeTest, RefusesTheFolderOfARunThatIsOver) {
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  node_.reset();
+  nh_.setParam("run_folder_taken", "");  // as the next launch does
+  try {
+    CentralNode(nh_, private_nh_);
+    FAIL() << "taken";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ("run folder " + folder_ + ": holds a run that is over; name one that does not exist" +
+                  " yet, or none",
+              std::string(error.what()));
+  }
+  EXPECT_TRUE(result()["success"].as<bool>()) << "the old result is lost";
+}
+
+TEST_F(CentralNodeTest, RefusesTheFolderOfAnotherExperiment) {
+  node_.reset();
+  nh_.setParam("run_folder_taken", "");
+  std::ofstream(folder_ + "/experiment.yaml", std::ios::app) << "# another one\n";
+  EXPECT_THROW(CentralNode(nh_, private_nh_), std::runtime_error);
+}
+
+TEST_F(CentralNodeTest, SaysThatItResumesThePlanOfAnEarlierLaunch) {
+  pace_s_ = 0.1;
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robots_[1]->done() >= 1; }));
+  node_.reset();
+  ASSERT_TRUE(std::filesystem::exists(folder_ + "/result.yaml"));
+  nh_.setParam("run_folder_taken", "");
+  start();
+  EXPECT_EQ("plan 1 of an earlier launch is resumed; to drop it, start with another run folder" +
+                std::string(" than ") + folder_,
+            state_.message);
+  EXPECT_FALSE(std::filesystem::exists(folder_ + "/result.yaml")) << "to be taken for the new one";
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  EXPECT_TRUE(result()["success"].as<bool>());
+}
+
+TEST_F(CentralNodeTest, WritesWhyAMissionWasRefused) {
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  ASSERT_TRUE(result()["success"].as<bool>());
+  ros::Publisher planner =
+      nh_.advertise<sylph_msgs::ExecuteMissionActionResult>("execute_mission/result", 1);
+  ASSERT_TRUE(spinUntil([&] { return planner.getNumSubscribers() > 0; }));
+  sylph_msgs::ExecuteMissionActionResult refused;
+  refused.result.outcome = sylph_msgs::ExecuteMissionResult::NO_PLAN;
+  refused.result.message = "planner lacam found no plan";
+  refused.result.robots = 2;
+  planner.publish(refused);
+  ASSERT_TRUE(spinUntil([&] { return !result()["success"].as<bool>(); }));
+  EXPECT_EQ("planner lacam found no plan", result()["message"].as<std::string>());
+  EXPECT_EQ(2, result()["robots"].as<int>());
+}
+
+TEST_F(CentralNodeTest, BreaksAMissionOffThatCannotBeWrittenDown) {
+  pace_s_ = 0.1;
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robots_[1]->done() >= 1; }));
+  std::filesystem::remove_all(folder_);
+  ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
+  EXPECT_EQ(folder_ + "/events.jsonl: cannot be written: No such file or directory",
+            state_.message);
+  EXPECT_EQ(1u, state_.plan_id);
+  EXPECT_TRUE(call(sylph_ros::kStopService)) << "the operator's stop does not depend on a disk";
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::STOP; }));
+  send(jointActions(mission(), names_, 2));
+  ASSERT_TRUE(spinUntil([&] { return state_.plan_id == 2; }));
+  EXPECT_EQ(AdgState::REFUSED, state_.phase);
 }
 
 TEST_F(CentralNodeTest, ARobotNodeThatStartsAgainDoesNoTaskTwice) {

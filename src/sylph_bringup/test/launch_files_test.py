@@ -122,6 +122,23 @@ class LaunchFilesTest(unittest.TestCase):
             self.assertEqual(weights, value_of(config, "/sylph/weights"))
             self.assertEqual(os.path.join(self.folder, "r"), value_of(config, "/sylph/run_folder"))
 
+    def test_refuses_the_folder_of_a_run_that_is_over(self):
+        folder = os.path.join(self.folder, "run")
+        os.mkdir(folder)
+        command = [roslib.packages.find_node(PACKAGE, "user_path")[0], "folder", folder]
+        self.assertEqual(0, subprocess.run(command, capture_output=True, check=False).returncode)
+        for name, text in (("result.yaml", "success: true"), ("events.jsonl", '{"phase": "finished"}\n')):
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
+                stream.write(text)
+            result = subprocess.run(command, capture_output=True, text=True, check=False)
+            self.assertEqual(2, result.returncode, name)
+            self.assertIn("run folder {}: holds a run that is over".format(folder), result.stderr)
+            with self.assertRaises(roslaunch.core.RLException):
+                load(LAB, run_folder=folder)
+        with open(os.path.join(folder, "events.jsonl"), "w", encoding="utf-8") as stream:
+            stream.write('{"phase": "finished"}\n{"phase": "executing"}\n')
+        self.assertEqual(0, subprocess.run(command, capture_output=True, check=False).returncode, "a run to resume")
+
     def test_refuses_an_experiment_that_is_neither_file_nor_name(self):
         command = [roslib.packages.find_node(PACKAGE, "user_path")[0], "experiment", "lab_mase"]
         result = subprocess.run(command, capture_output=True, text=True, check=False)

@@ -5,6 +5,7 @@
 #include <std_msgs/Bool.h>
 #include <std_srvs/Trigger.h>
 #include <sylph_msgs/DeclareLost.h>
+#include <sylph_msgs/ExecuteMissionActionResult.h>
 #include <sylph_msgs/JointActions.h>
 #include <sylph_msgs/SeparationState.h>
 #include <sylph_msgs/SimulationTruth.h>
@@ -46,6 +47,7 @@ class CentralNode {
   void onSeparation(const sylph_msgs::SeparationState& message);
   void onEmergencyStop(const std_msgs::Bool& message);
   void onTruth(const sylph_msgs::SimulationTruth& message);
+  void onMissionResult(const sylph_msgs::ExecuteMissionActionResult& message);
   bool onDeclareLost(sylph_msgs::DeclareLost::Request& request,
                      sylph_msgs::DeclareLost::Response& response);
   bool setMode(sylph::ExecutionMode mode, std_srvs::Trigger::Response& response);
@@ -55,6 +57,9 @@ class CentralNode {
   void flush();
   void publishState();
   void saveResult();
+  /// Hands out no more tasks, since what happens can no longer be written down: a node that is
+  /// started again would not know of it.
+  void breakOff(const std::string& reason);
   void reportDiagnostics(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   ros::NodeHandle nh_;
@@ -65,10 +70,14 @@ class CentralNode {
   CentralOptions options_;
   sylph::CellFrame frame_;
   std::vector<std::string> names_;
+  bool is_restart_;  ///< of this node, within the same run
   RunFolder folder_;
   EventLog log_;
   sylph::Execution execution_;
   sylph::RunRecord record_;
+  std::string notice_;  ///< to be told while nothing else is
+  std::string broken_;  ///< why the mission was broken off; empty: it was not
+  std::uint32_t broken_plan_id_ = 0;
   bool is_emergency_ = false;
   std::string emergency_reason_ = "the separation monitor stops all robots";
   bool has_changed_ = true;     ///< since the last AdgState

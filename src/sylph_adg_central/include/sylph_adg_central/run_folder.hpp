@@ -11,8 +11,13 @@ namespace sylph_adg_central {
 class RunFolder {
  public:
   /// Makes the folder unless it exists and puts a copy of the experiment into it.
-  /// @throws std::runtime_error naming what cannot be made or written
-  RunFolder(std::string path, const sylph::Experiment& experiment);
+  /// @param is_ours  this run has used the folder before; any other run's is refused if it is of
+  /// another experiment or has no event log to go on from
+  /// @throws std::runtime_error naming what cannot be made or written, or the folder refused
+  RunFolder(std::string path, const sylph::Experiment& experiment, bool is_ours);
+
+  /// @throws std::runtime_error that the folder holds another run
+  [[noreturn]] void refuse(const std::string& why) const;
 
   const std::string& path() const { return path_; }
   std::string eventLog() const { return path_ + "/events.jsonl"; }
