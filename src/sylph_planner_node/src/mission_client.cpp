@@ -20,9 +20,23 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod{50};
 constexpr char kReportFile[] = "result.yaml";
+constexpr char kCaptureNode[] = "mocap_bridge";  ///< part of the names of its diagnostics
 
 void say(const std::string& text) {
   std::cout << text << std::endl;
+}
+
+/// Empty if the run has no folder.
+std::filesystem::path reportPath(const ros::NodeHandle& nh) {
+  std::string folder;
+  nh.getParam(sylph_ros::kRunFolderParameter, folder);
+  return folder.empty() ? std::filesystem::path() : std::filesystem::path(folder) / kReportFile;
+}
+
+std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::path& path) {
+  std::error_code error;
+  const auto time = std::filesystem::last_write_time(path, error);
+  return error ? std::nullopt : std::make_optional(time);
 }
 
 std::chrono::steady_clock::duration seconds(double value) {
@@ -50,7 +64,9 @@ MissionClient::MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_
     : nh_(nh),
       options_(loadClientOptions(private_nh)),
       experiment_(sylph_ros::loadExperiment(nh)),
-      client_(nh_, sylph_ros::kExecuteMissionAction, false) {
+      client_(nh_, sylph_ros::kExecuteMissionAction, false),
+      diagnostics_subscriber_(
+          nh_.subscribe("/diagnostics", 10, &MissionClient::onDiagnostics, this)) {
   // The planner refuses such weights too, but nobody would hear of it before the time-out.
   sylph::loadPolicyFor(experiment_.planning.planner, experiment_.planning.weights_path);
 }
@@ -62,6 +78,7 @@ bool MissionClient::run() {
       experiment_.planning.planner);
   waitForServer(deadline);
   waitForPoses(deadline);
+  old_result_ = timeOf(reportPath(nh_));
   sendMission();
   waitForResult();
   if (!ros::ok()) {
@@ -98,16 +115,46 @@ void MissionClient::waitForPoses(Clock::time_point deadline) {
     Clock::time_point next_word = Clock::now() + seconds(options_.progress_period_s);
     while (ros::ok() && !*has_come) {
       if (Clock::now() > deadline) {
-        throw std::runtime_error("no pose on " + topic + ": is " + robot.rigid_body +
-                                 " seen by the motion capture?");
+        std::string message =
+            "no pose on " + topic + ": is " + robot.rigid_body + " seen by the motion capture?";
+        for (const std::string& finding : captureFindings()) {
+          message += "\n    " + finding;
+        }
+        throw std::runtime_error(message);
       }
       if (Clock::now() > next_word) {
         say("waiting for a pose on " + topic);
+        for (const std::string& finding : captureFindings()) {
+          say("    " + finding);
+        }
         next_word += seconds(options_.progress_period_s);
       }
       std::this_thread::sleep_for(kPollPeriod);
     }
   }
+}
+
+void MissionClient::onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  for (const diagnostic_msgs::DiagnosticStatus& status : diagnostics.status) {
+    if (status.name.find(kCaptureNode) == std::string::npos) {
+      continue;
+    }
+    if (status.level == diagnostic_msgs::DiagnosticStatus::OK) {
+      capture_findings_.erase(status.name);
+    } else {
+      capture_findings_[status.name] = status.name + ": " + status.message;
+    }
+  }
+}
+
+std::vector<std::string> MissionClient::captureFindings() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  std::vector<std::string> lines;
+  for (const auto& [name, line] : capture_findings_) {
+    lines.push_back(line);
+  }
+  return lines;
 }
 
 void MissionClient::sendMission() {
@@ -118,7 +165,15 @@ void MissionClient::sendMission() {
 }
 
 void MissionClient::waitForResult() {
+  Clock::time_point heard = Clock::now();
   while (ros::ok()) {
+    if (client_.isServerConnected()) {
+      heard = Clock::now();
+    } else if (Clock::now() - heard > seconds(options_.start_timeout_s)) {
+      throw std::runtime_error("the planner is gone: nobody serves the action " +
+                               nh_.resolveName(sylph_ros::kExecuteMissionAction) +
+                               " any more; the robots finish the plan that they have");
+    }
     const auto state = client_.getState();
     if (state == actionlib::SimpleClientGoalState::LOST) {
       if (!client_.isServerConnected()) {
@@ -147,20 +202,18 @@ void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr&
 }
 
 void MissionClient::printRunReport() {
-  std::string folder;
-  nh_.getParam(sylph_ros::kRunFolderParameter, folder);
-  if (folder.empty()) {
+  const std::filesystem::path path = reportPath(nh_);
+  if (path.empty()) {
     say("no run folder: parameter " + nh_.resolveName(sylph_ros::kRunFolderParameter) +
         " is not set");
     return;
   }
-  const std::filesystem::path path = std::filesystem::path(folder) / kReportFile;
   const Clock::time_point deadline = Clock::now() + seconds(options_.report_wait_s);
-  while (ros::ok() && !std::filesystem::exists(path) && Clock::now() < deadline) {
+  while (ros::ok() && timeOf(path) == old_result_ && Clock::now() < deadline) {
     std::this_thread::sleep_for(kPollPeriod);
   }
   std::ifstream file(path);
-  if (!file) {
+  if (!file || timeOf(path) == old_result_) {
     say(path.string() + " has not been written");
     return;
   }

@@ -27,10 +27,6 @@ command::Plan planCommand(PlanningFunction plan, const Mission& mission,
   }};
 }
 
-MissionFailure refusal(const sylph::AdgState& state) {
-  return {MissionOutcome::PlanRefused, "the central node refused the plan: " + state.message};
-}
-
 }  // namespace
 
 void MissionLifecycle::supersede(double now_s) {
@@ -89,7 +85,9 @@ void MissionLifecycle::onPlanned(PlanningOutcome outcome, double now_s) {
 }
 
 void MissionLifecycle::tick(const RobotPoses& poses, double now_s) {
-  if ((stage_ == Stage::Starting || stage_ == Stage::Sending) && hasBeenSilent(now_s)) {
+  const bool needs_central =
+      stage_ == Stage::Starting || stage_ == Stage::Sending || stage_ == Stage::Executing;
+  if (needs_central && hasBeenSilent(now_s)) {
     fail({MissionOutcome::PlanRefused, "the central node is silent: no message on " + state_topic_},
          now_s);
     return;
@@ -141,6 +139,7 @@ void MissionLifecycle::tickStarting(const RobotPoses& poses, double now_s) {
   try {
     startPlanning(poses, now_s);
   } catch (const MissionFailure& failure) {
+    waits_for_ = failure.what();
     if (failure.outcome() != MissionOutcome::NoPose || waited_s > limits_.pose_wait_s) {
       fail(failure, now_s);
     }
@@ -153,9 +152,15 @@ void MissionLifecycle::tickSending(double now_s) {
   }
   const bool is_known = state_->plan_id == plan_id_;
   if (is_known && state_->phase == ExecutionPhase::Refused) {
-    fail(refusal(*state_), now_s);
+    fail({MissionOutcome::PlanRefused, "the central node refused the plan: " + state_->message},
+         now_s);
   } else if (is_known && state_->phase != ExecutionPhase::Pending) {
     follow(now_s);
+  } else if (!is_known && now_s - stage_since_s_ > limits_.central_wait_s) {
+    fail({MissionOutcome::PlanRefused, "the central node does not take plan " +
+                                           std::to_string(plan_id_) + ": it has plan " +
+                                           std::to_string(state_->plan_id)},
+         now_s);
   } else if (now_s - sent_s_ >= limits_.resend_period_s) {
     sendAgain(now_s);
   }
@@ -177,7 +182,8 @@ void MissionLifecycle::tickExecuting(double now_s) {
   } else if (state_->phase == ExecutionPhase::Finished) {
     finish(finishedResult(mission_, *state_, given_up_), now_s);
   } else if (state_->phase == ExecutionPhase::Refused) {
-    fail(refusal(*state_), now_s);
+    fail({MissionOutcome::PlanRefused, "the central node has ended the plan: " + state_->message},
+         now_s);
   } else if (state_->phase == ExecutionPhase::AtCut) {
     startReplanning(now_s);
   }
@@ -202,6 +208,9 @@ void MissionLifecycle::tickPausing(double now_s) {
 
 void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
   const sylph::Configuration starts = startCells(mission_, poses);
+  if (!limits_.ignores_unseen_robots) {
+    requireBystandersSeen(mission_, lab_, poses);
+  }
   const sylph::Instance instance =
       toInstance(mission_, starts, cellsOfBystanders(mission_, lab_, poses));
   planned_robots_ = mission_.robots;
@@ -288,6 +297,7 @@ void MissionLifecycle::finish(MissionResult result, double now_s) {
 }
 
 void MissionLifecycle::enter(Stage stage, double now_s) {
+  waits_for_.clear();
   stage_ = stage;
   stage_since_s_ = now_s;
 }
@@ -309,7 +319,14 @@ MissionProgress MissionLifecycle::progress() const {
   } else if (stage_ == Stage::Executing && state_->phase == ExecutionPhase::Cutting) {
     phase = "cutting";
   }
-  return progressOf(phase, mission_, has_plan ? *state_ : sylph::AdgState());
+  MissionProgress progress = progressOf(phase, mission_, has_plan ? *state_ : sylph::AdgState());
+  if (stage_ == Stage::Starting && !waits_for_.empty()) {
+    progress.waiting.push_back(waits_for_);
+  } else if (stage_ == Stage::Sending && state_ && state_->phase == ExecutionPhase::Pending &&
+             !state_->message.empty()) {
+    progress.waiting.push_back(state_->message);
+  }
+  return progress;
 }
 
 std::string toString(MissionLifecycle::Stage stage) {

@@ -20,7 +20,8 @@ Options loadOptions(const ros::NodeHandle& private_nh) {
       {"central_wait_s", &options.central_wait_s},
       {"hold_wait_s", &options.hold_wait_s},
       {"replanning_time_limit_s", &options.replanning_time_limit_s}};
-  std::vector<std::string> known;
+  sylph_ros::read(private_nh, "ignore_unseen_robots", options.ignore_unseen_robots);
+  std::vector<std::string> known = {"ignore_unseen_robots"};
   for (const auto& [name, value] : periods) {
     sylph_ros::read(private_nh, name, *value);
     sylph_ros::requirePositive(private_nh, name, *value);

@@ -26,8 +26,8 @@ std::vector<std::string> namesOf(const sylph::Experiment& lab) {
 
 /// Limits by the clock that the lifecycle is told; those of the wall pass faster there.
 MissionLimits limitsOf(const Options& options, double speed) {
-  return {options.resend_period_s, options.pose_wait_s * speed, options.central_wait_s * speed,
-          options.hold_wait_s, options.replanning_time_limit_s};
+  return {options.resend_period_s, options.pose_wait_s * speed,  options.central_wait_s * speed,
+          options.hold_wait_s,     options.ignore_unseen_robots, options.replanning_time_limit_s};
 }
 
 }  // namespace

@@ -59,6 +59,8 @@ std::vector<std::string> waitingLines(const AdgState& state) {
     lines.push_back(std::string(state.mode == ExecutionMode::Pause ? "paused" : "stopped") +
                     (state.message.empty() ? "" : ": " + state.message) +
                     "; /sylph/resume goes on");
+  } else if (!state.message.empty() && state.phase != ExecutionPhase::Refused) {
+    lines.push_back(state.message);
   }
   for (const RobotExecution& robot : state.robots) {
     if (robot.condition != RobotCondition::Ok) {

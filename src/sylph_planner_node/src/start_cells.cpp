@@ -53,6 +53,24 @@ sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses)
   return cells;
 }
 
+void requireBystandersSeen(const Mission& mission, const std::vector<sylph::RobotSpec>& lab,
+                           const RobotPoses& poses) {
+  std::string unseen;
+  for (const sylph::RobotSpec& robot : lab) {
+    const auto measured = poses.find(robot.name);
+    const bool is_seen = measured != poses.end() && measured->second.fault.empty();
+    if (mission.indexOf(robot.name) == mission.robots.size() && !is_seen) {
+      unseen += (unseen.empty() ? "" : "\n") + robot.name +
+                " has no part in the mission, but might stand in its way: " +
+                (measured == poses.end() ? "no pose of it has come"
+                                         : "its pose " + measured->second.fault);
+    }
+  }
+  if (!unseen.empty()) {
+    refuse(unseen + "\nto go on without, set ignore_unseen_robots of the planner");
+  }
+}
+
 std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission,
                                            const std::vector<sylph::RobotSpec>& lab,
                                            const RobotPoses& poses) {

@@ -58,9 +58,12 @@ class MissionClientTest : public PlannerFixture {
 
 TEST_F(MissionClientTest, RunsTheExperimentAndSaysHowItEnded) {
   testing::internal::CaptureStdout();
-  const bool has_succeeded = mission_.run();
+  std::filesystem::remove(folder_ / "result.yaml");
+  auto has_succeeded = std::async(std::launch::async, [this] { return mission_.run(); });
+  EXPECT_TRUE(waitForPhase(AdgState::FINISHED));
+  std::ofstream(folder_ / "result.yaml") << "arrived: 3\n";
+  EXPECT_TRUE(has_succeeded.get());
   const std::string said = testing::internal::GetCapturedStdout();
-  EXPECT_TRUE(has_succeeded);
   EXPECT_EQ(0U, said.find("experiment small_lab: 3 robots, seed 0, planner lacam\n")) << said;
   EXPECT_NE(std::string::npos, said.find("SUCCESS: all 3 robots have arrived\n")) << said;
   EXPECT_NE(std::string::npos, said.find("/result.yaml:\n  arrived: 3\n")) << said;
@@ -73,6 +76,32 @@ TEST_F(MissionClientTest, FailsWhenTheMissionDoes) {
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_FALSE(has_succeeded);
   EXPECT_NE(std::string::npos, said.find("PLAN_REFUSED")) << said;
+  EXPECT_NE(std::string::npos, said.find("result.yaml has not been written\n"))
+      << "the result of another mission was taken for that of this one: " << said;
+}
+
+TEST_F(MissionClientTest, SaysWhatTheMotionCaptureLacks) {
+  central_.silencePoseOf("robot_1");
+  ros::NodeHandle("~hasty").setParam("start_timeout_s", 1.0);
+  MissionClient hasty(ros::NodeHandle("/sylph"), ros::NodeHandle("~hasty"));
+  ros::Publisher publisher =
+      ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1, true);
+  diagnostic_msgs::DiagnosticArray diagnostics;
+  diagnostics.status.resize(2);
+  diagnostics.status[0].name = "mocap_bridge: link";
+  diagnostics.status[0].level = diagnostic_msgs::DiagnosticStatus::ERROR;
+  diagnostics.status[0].message = "no frame from 192.168.1.2";
+  diagnostics.status[1].name = "mocap_bridge: bodies";
+  diagnostics.status[1].message = "all bodies are seen";
+  publisher.publish(diagnostics);
+  try {
+    hasty.run();
+    FAIL() << "a mission without poses";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(std::string("no pose on /robot_1/pose: is robot_1 seen by the motion capture?\n"
+                          "    mocap_bridge: link: no frame from 192.168.1.2"),
+              error.what());
+  }
 }
 
 TEST_F(MissionClientTest, GivesAPlannerThatWasStartedAgainTheMissionAnew) {

@@ -175,6 +175,69 @@ TEST_F(MissionLifecycleTest, WaitsForPosesOnlySoLong) {
   EXPECT_EQ("no pose of robot_1 has come", result().message);
 }
 
+TEST_F(MissionLifecycleTest, WaitsForBystandersToBeSeen) {
+  Mission mission = smallMission();
+  mission.robots.pop_back();
+  mission.goals.pop_back();
+  poses_.erase("robot_2");
+  lifecycle_.begin(mission, now_s_);
+  hear();
+  EXPECT_EQ(Stage::Starting, lifecycle_.stage());
+  ASSERT_EQ(1U, lifecycle_.progress().waiting.size());
+  EXPECT_EQ(0U, lifecycle_.progress().waiting.front().find("robot_2 has no part in the mission"));
+  now_s_ += 5.1;
+  hear();
+  EXPECT_EQ(MissionOutcome::NoPose, result().outcome);
+  EXPECT_EQ(0U, count<command::Plan>());
+}
+
+TEST_F(MissionLifecycleTest, GoesOnWithoutBystandersIfToldTo) {
+  MissionLimits careless = limits();
+  careless.ignores_unseen_robots = true;
+  lifecycle_ = MissionLifecycle(smallLab().robots, careless, "");
+  Mission mission = smallMission();
+  mission.robots.pop_back();
+  mission.goals.pop_back();
+  poses_.erase("robot_2");
+  lifecycle_.begin(mission, now_s_);
+  hear();
+  EXPECT_EQ(Stage::Planning, lifecycle_.stage());
+}
+
+TEST_F(MissionLifecycleTest, EndsWhenTheCentralNodeFallsSilentUnderWay) {
+  execute();
+  now_s_ += 10.1;
+  tick();
+  EXPECT_EQ("the central node is silent: no message on /sylph/adg_state", result().message);
+}
+
+TEST_F(MissionLifecycleTest, TellsWhatThePlanWaitsFor) {
+  begin();
+  plan();
+  state_.plan_id = lifecycle_.planId();
+  state_.phase = ExecutionPhase::Pending;
+  state_.message = "robot_1 does not report";
+  hear();
+  EXPECT_EQ(std::vector<std::string>{"robot_1 does not report"}, lifecycle_.progress().waiting);
+}
+
+TEST_F(MissionLifecycleTest, EndsWhenTheCentralNodeDoesNotTakeThePlan) {
+  begin();
+  plan();
+  now_s_ += 10.1;
+  hear();
+  EXPECT_EQ("the central node does not take plan 1: it has plan 0", result().message);
+}
+
+TEST_F(MissionLifecycleTest, EndsWithTheCentralNodesReason) {
+  execute();
+  state_.phase = ExecutionPhase::Refused;
+  state_.message = "/run/events.jsonl: cannot be written: No space left on device";
+  hear();
+  EXPECT_EQ(MissionOutcome::PlanRefused, result().outcome);
+  EXPECT_EQ("the central node has ended the plan: " + state_.message, result().message);
+}
+
 TEST_F(MissionLifecycleTest, SendsAgainWhatDidNotArrive) {
   begin();
   plan();

@@ -56,6 +56,13 @@ TEST(WaitingLinesTest, BeginWithAPause) {
   EXPECT_EQ("paused: operator; /sylph/resume goes on", waitingLines(state).front());
 }
 
+TEST(WaitingLinesTest, BeginWithWhatTheCentralNodeHasToSay) {
+  AdgState state = finishedState();
+  state.phase = ExecutionPhase::Executing;
+  state.message = "plan 1 of an earlier launch is resumed";
+  EXPECT_EQ(std::vector<std::string>{state.message}, waitingLines(state));
+}
+
 TEST(ProgressTest, CountsTasksAndArrivals) {
   AdgState state = finishedState();
   state.robots[1].tasks_done = 1;

@@ -74,6 +74,24 @@ TEST(StartCellsTest, NameBothRobotsInOneCell) {
             failureWith(poses));
 }
 
+TEST(RequireBystandersSeenTest, NamesEachThatIsNot) {
+  Mission mission = smallMission();
+  mission.robots = {"robot_0"};
+  mission.goals.resize(1);
+  RobotPoses poses = posesInStarts();
+  const auto failure = [&] {
+    return failureOf([&] { requireBystandersSeen(mission, smallLab().robots, poses); });
+  };
+  EXPECT_EQ("no failure", failure());
+  poses.erase("robot_1");
+  poses["robot_2"].fault = "is not a number";
+  EXPECT_EQ(
+      "2: robot_1 has no part in the mission, but might stand in its way: no pose of it has come\n"
+      "robot_2 has no part in the mission, but might stand in its way: its pose is not a number\n"
+      "to go on without, set ignore_unseen_robots of the planner",
+      failure());
+}
+
 TEST(CellsOfBystandersTest, AreThoseThatTheFootprintTouches) {
   Mission mission = smallMission();
   mission.robots = {"robot_0"};

@@ -70,12 +70,15 @@ void Execution::makeRoomFor(std::uint32_t plan_id) {
 
 void Execution::tryStart(double now_s) {
   using Verdict = PlanAdmission::Decision::Verdict;
+  wait_reason_.clear();
   if (admission_.pending() == nullptr) {
     return;
   }
   const std::uint32_t plan_id = admission_.pending()->plan_id;
   const PlanAdmission::Decision decision = admission_.decide(present(), now_s);
-  if (decision.verdict == Verdict::Refuse) {
+  if (decision.verdict == Verdict::Wait) {
+    wait_reason_ = decision.reason;
+  } else if (decision.verdict == Verdict::Refuse) {
     setRefused(plan_id, decision.reason);
   } else if (decision.verdict == Verdict::Start) {
     try {

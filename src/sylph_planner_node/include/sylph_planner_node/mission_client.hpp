@@ -1,10 +1,15 @@
 #pragma once
 
 #include <actionlib/client/simple_action_client.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <ros/node_handle.h>
 #include <sylph_msgs/ExecuteMissionAction.h>
 
 #include <chrono>
+#include <filesystem>
+#include <map>
+#include <mutex>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,13 +52,21 @@ class MissionClient {
   /// Returns when the mission has ended. A planner that was started again gets the mission anew: it
   /// goes on with the plan that is being carried out.
   void waitForResult();
+  void onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics);
   void onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback);
   void printRunReport();
+  /// What the motion capture says is wrong with it, one line each.
+  std::vector<std::string> captureFindings();
 
   ros::NodeHandle nh_;
   ClientOptions options_;
   sylph::Experiment experiment_;
   Client client_;
+  ros::Subscriber diagnostics_subscriber_;
+  std::mutex mutex_;
+  std::map<std::string, std::string> capture_findings_;  ///< by the name of the status
+  /// When the result that stood in the run folder before this mission was written.
+  std::optional<std::filesystem::file_time_type> old_result_;
   std::string last_headline_;
   Clock::time_point printed_at_;
 };

@@ -20,10 +20,12 @@ namespace sylph_planner_node {
 
 /// How long things may take. All in the time that the lifecycle is told [s], > 0.
 struct MissionLimits {
-  double resend_period_s = 0.5;          ///< before a plan that did not arrive is sent again
-  double pose_wait_s = 5.0;              ///< for poses to come when a mission starts
-  double central_wait_s = 10.0;          ///< for the central node to be heard of
-  double hold_wait_s = 10.0;             ///< for robots to hold after a cancellation
+  double resend_period_s = 0.5;  ///< before a plan that did not arrive is sent again
+  double pose_wait_s = 5.0;      ///< for poses to come when a mission starts
+  double central_wait_s = 10.0;  ///< for the central node to be heard of
+  double hold_wait_s = 10.0;     ///< for robots to hold after a cancellation
+  /// A robot of the lab without part in the mission may stand anywhere as long as it is not seen.
+  bool ignores_unseen_robots = false;
   double replanning_time_limit_s = 1.0;  ///< wall time for a plan around lost robots
 };
 
@@ -144,6 +146,7 @@ class MissionLifecycle {
   std::uint32_t plan_id_ = 0;
   std::uint32_t replaces_plan_id_ = 0;
   std::vector<std::string> given_up_;
+  std::string waits_for_;       ///< why a mission does not start yet
   bool is_planning_ = false;    ///< for this mission or one that was left
   bool has_published_ = false;  ///< a plan, and has not taken it back
   bool has_paused_ = false;     ///< the pause that is in force was asked for here, by no operator

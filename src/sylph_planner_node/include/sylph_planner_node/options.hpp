@@ -15,6 +15,7 @@ struct Options {
   double central_wait_s = 10.0;    ///< wall time for the central node to be heard of [s], > 0
   double hold_wait_s = 10.0;       ///< for robots to hold after a cancellation [s], > 0
   double replanning_time_limit_s = 1.0;  ///< wall time for a plan around lost robots [s], > 0
+  bool ignore_unseen_robots = false;     ///< plan although a robot without part in it is not seen
 };
 
 /// @throws std::runtime_error on an unknown, mistyped or forbidden value

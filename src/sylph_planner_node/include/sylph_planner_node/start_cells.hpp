@@ -23,6 +23,12 @@ using RobotPoses = std::map<std::string, RobotPose>;
 /// cell, or in the cell of another robot
 sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses);
 
+/// A plan might lead through a robot that nobody sees.
+/// @throws MissionFailure (NoPose) with one line per robot of the lab without part in the mission
+/// whose pose is missing or faulty
+void requireBystandersSeen(const Mission& mission, const std::vector<sylph::RobotSpec>& lab,
+                           const RobotPoses& poses);
+
 /// The cells that robots of the lab without part in the mission stand on, as far as they have good
 /// poses: obstacles for everybody else. A footprint that reaches over an edge takes the cells on
 /// both sides.

@@ -57,8 +57,11 @@ class Execution {
   ExecutionPhase phase() const { return phase_; }
   ExecutionMode mode() const { return mode_; }
   const std::string& modeReason() const { return mode_reason_; }
-  /// Why the plan was refused, or why robots pause or stop.
-  const std::string& message() const { return refusal_.empty() ? mode_reason_ : refusal_; }
+  /// Why the plan was refused, why robots pause or stop, or what a pending plan waits for.
+  const std::string& message() const {
+    const std::string& present = mode_reason_.empty() ? wait_reason_ : mode_reason_;
+    return refusal_.empty() ? present : refusal_;
+  }
   /// The plan that is pending, carried out, or was refused last; 0: none yet.
   std::uint32_t planId() const { return plan_id_; }
   /// The largest plan id in plans and reports: a new plan's has to be greater.
@@ -139,6 +142,7 @@ class Execution {
   ExecutionMode mode_ = ExecutionMode::Run;
   std::string mode_reason_;
   std::string refusal_;
+  std::string wait_reason_;  ///< of the plan that is pending
   std::uint32_t plan_id_ = 0;
   std::uint32_t last_plan_id_ = 0;
   bool is_cut_ = false;
