@@ -14,8 +14,8 @@ struct StampedEvent {
 };
 
 /// A line of the event log, without its end: a JSON object with `stamp`, `event`, `plan_id`, and
-/// what it tells: `robot` (name), `sequence` or `count` of tasks, the word for a `condition`, `mode`
-/// or `phase`, `reason`, `plan`.
+/// what it tells: `robot` (name), `sequence` or `count` of tasks, the word for a `condition`,
+/// `mode` or `phase`, `reason`, `plan`.
 /// @param names  of the robots, by index
 std::string toLine(const StampedEvent& entry, const std::vector<std::string>& names);
 
