@@ -45,6 +45,7 @@ void MissionLifecycle::begin(Mission mission, double now_s) {
   totals_.robots = static_cast<std::uint32_t>(mission_.robots.size());
   replaces_plan_id_ = 0;
   given_up_.clear();
+  bystanders_.clear();
   enter(Stage::Starting, now_s);
 }
 
@@ -211,14 +212,19 @@ void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
   if (!limits_.ignores_unseen_robots) {
     requireBystandersSeen(mission_, lab_, poses);
   }
-  const sylph::Instance instance =
-      toInstance(mission_, starts, cellsOfBystanders(mission_, lab_, poses));
+  bystanders_ = cellsOfBystanders(mission_, lab_, poses);
+  const sylph::Instance instance = toInstance(mission_, starts, bystanders_);
   planned_robots_ = mission_.robots;
   plan(planCommand(planMission, mission_, instance), now_s);
 }
 
 void MissionLifecycle::startReplanning(double now_s) {
-  const RestOfMission rest = restOfMission(mission_, *state_);
+  Mission limited = mission_;
+  limited.time_limit_s = std::min(limited.time_limit_s, limits_.replanning_time_limit_s);
+  for (const sylph::Cell& cell : bystanders_) {
+    limited.grid.setObstacle(cell);
+  }
+  const RestOfMission rest = restOfMission(limited, *state_);
   for (const std::string& line : rest.given_up) {
     say(Level::Warning, line);
   }
@@ -226,8 +232,6 @@ void MissionLifecycle::startReplanning(double now_s) {
   planned_robots_ = rest.robots;
   replaces_plan_id_ = plan_id_;
   ++totals_.replans;
-  Mission limited = mission_;
-  limited.time_limit_s = std::min(limited.time_limit_s, limits_.replanning_time_limit_s);
   plan(planCommand(planAsFarAsPossible, limited, rest.instance), now_s);
 }
 

@@ -312,6 +312,27 @@ TEST_F(MissionLifecycleTest, PlansTheRestAtTheCut) {
   EXPECT_EQ(1U, lifecycle_.totals().replans);
 }
 
+TEST_F(MissionLifecycleTest, PlansTheRestAroundBystandersToo) {
+  Mission mission = smallMission();
+  mission.robots = {"robot_0", "robot_1"};
+  mission.goals = {{0, 3}, {2, 0}};
+  lifecycle_.begin(mission, now_s_);
+  hear();
+  plan();
+  state_.plan_id = lifecycle_.planId();
+  state_.phase = ExecutionPhase::Executing;
+  hear();
+  state_.robots[1].condition = sylph::RobotCondition::Lost;
+  state_.phase = ExecutionPhase::AtCut;
+  hear();
+  ASSERT_EQ(Stage::Planning, lifecycle_.stage());
+  const PlanningOutcome rest = last<command::Plan>().make();
+  ASSERT_TRUE(std::holds_alternative<CheckedPlan>(rest));
+  const sylph::Grid& grid = std::get<CheckedPlan>(rest).instance.grid;
+  EXPECT_FALSE(grid.isFree(smallStarts()[2]));
+  EXPECT_TRUE(grid.isFree({0, 3}));
+}
+
 TEST_F(MissionLifecycleTest, PausesAMissionThatIsCancelledUntilTheRobotsHold) {
   execute();
   lifecycle_.cancel(now_s_);
