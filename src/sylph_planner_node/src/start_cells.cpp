@@ -1,8 +1,8 @@
 #include "sylph_planner_node/start_cells.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <map>
 #include <sstream>
 
 #include "sylph_core/grid/cell_frame.hpp"
@@ -20,35 +20,50 @@ std::string metres(double value) {
   return text.str();
 }
 
+/// Adds the robot's cell to `cells` and `owner`.
+/// @return why it has none that a plan can start from; empty: it has
+std::string reasonForNoCell(const Mission& mission, const std::string& robot,
+                            const RobotPoses& poses, const sylph::CellFrame& frame,
+                            std::map<sylph::Cell, std::string>& owner,
+                            sylph::Configuration& cells) {
+  const auto measured = poses.find(robot);
+  if (measured == poses.end()) {
+    return "no pose of " + robot + " has come";
+  }
+  if (!measured->second.fault.empty()) {
+    return "the pose of " + robot + " " + measured->second.fault;
+  }
+  const sylph::Point position = sylph::position(measured->second.pose);
+  const sylph::Cell cell = frame.toCell(position);
+  const std::string where = robot + " at (" + metres(position.x) + ", " + metres(position.y) +
+                            ") m is in cell " + sylph::toString(cell);
+  if (!mission.grid.isInside(cell)) {
+    return where + ", outside the map";
+  }
+  if (!mission.grid.isFree(cell)) {
+    return where + ", which is an obstacle";
+  }
+  const auto [other, is_new] = owner.emplace(cell, robot);
+  if (!is_new) {
+    return where + ", where " + other->second + " is too";
+  }
+  cells.push_back(cell);
+  return {};
+}
+
 }  // namespace
 
 sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses) {
   const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
+  std::map<sylph::Cell, std::string> owner;
   sylph::Configuration cells;
+  std::string reasons;
   for (const std::string& robot : mission.robots) {
-    const auto measured = poses.find(robot);
-    if (measured == poses.end()) {
-      refuse("no pose of " + robot + " has come");
-    }
-    if (!measured->second.fault.empty()) {
-      refuse("the pose of " + robot + " " + measured->second.fault);
-    }
-    const sylph::Point position = sylph::position(measured->second.pose);
-    const sylph::Cell cell = frame.toCell(position);
-    const std::string where = robot + " at (" + metres(position.x) + ", " + metres(position.y) +
-                              ") m is in cell " + sylph::toString(cell);
-    if (!mission.grid.isInside(cell)) {
-      refuse(where + ", outside the map");
-    }
-    if (!mission.grid.isFree(cell)) {
-      refuse(where + ", which is an obstacle");
-    }
-    const auto other = std::find(cells.begin(), cells.end(), cell);
-    if (other != cells.end()) {
-      refuse(where + ", where " + mission.robots[static_cast<std::size_t>(other - cells.begin())] +
-             " is too");
-    }
-    cells.push_back(cell);
+    const std::string reason = reasonForNoCell(mission, robot, poses, frame, owner, cells);
+    reasons += reasons.empty() || reason.empty() ? reason : "\n" + reason;
+  }
+  if (!reasons.empty()) {
+    refuse(reasons);
   }
   return cells;
 }

@@ -47,6 +47,14 @@ TEST(StartCellsTest, NameTheRobotWithoutPose) {
   EXPECT_EQ("2: no pose of robot_1 has come", failureWith(poses));
 }
 
+TEST(StartCellsTest, NameEachRobotThatIsAtFault) {
+  RobotPoses poses = posesInStarts();
+  poses.erase("robot_0");
+  poses["robot_2"].fault = "is not a number";
+  EXPECT_EQ("2: no pose of robot_0 has come\nthe pose of robot_2 is not a number",
+            failureWith(poses));
+}
+
 TEST(StartCellsTest, SayWhatIsWrongWithAPose) {
   RobotPoses poses = posesInStarts();
   poses["robot_2"].fault = "came 0.80 s ago: at most 0.50 s are allowed";

@@ -19,8 +19,8 @@ struct RobotPose {
 using RobotPoses = std::map<std::string, RobotPose>;
 
 /// The cells in which the robots of a mission are, one per robot: the cell that contains the pose.
-/// @throws MissionFailure (NoPose) naming the robot whose pose is missing or faulty, not in a free
-/// cell, or in the cell of another robot
+/// @throws MissionFailure (NoPose) with one line per robot whose pose is missing or faulty, not in
+/// a free cell, or in the cell of another robot
 sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses);
 
 /// A plan might lead through a robot that nobody sees.
