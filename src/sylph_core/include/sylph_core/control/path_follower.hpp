@@ -14,7 +14,7 @@ struct FollowerOptions {
   double braking_share = 0.95;            ///< of the acceleration that braking plans with, 0 ... 1
   double blend_m = 0.030;                 ///< largest blend distance at corners, >= 0
   double approach_gain = 8.0;             ///< of the distance close to a stop [1/s], > 0
-  double lag_s = 0.1;                     ///< time constant of the base, undone by feed-forward
+  double lag_s = 0.08;                    ///< time constant of the base, undone by feed-forward
   double heading_rad = 0.0;               ///< held all the time
   double heading_tolerance_rad = 0.0524;  ///< beyond this the robot turns before it drives, > 0
   double tracking_error_m = 0.012;        ///< beyond this it returns to its path first, > 0

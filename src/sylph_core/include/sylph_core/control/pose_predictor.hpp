@@ -14,8 +14,8 @@ struct MotionState {
 
 /// How a base answers to commands.
 struct BaseModel {
-  double latency_s = 0.05;  ///< from sending a command until the wheels begin to follow it, >= 0
-  double lag_s = 0.1;       ///< time constant with which the speed then follows, >= 0
+  double latency_s = 0.025;  ///< from sending a command until the wheels begin to follow it, >= 0
+  double lag_s = 0.08;       ///< time constant with which the speed then follows, >= 0
 };
 
 /// Where a robot is now, from where it was when the cameras saw it and from what it was told since.

@@ -12,7 +12,7 @@ struct PoseWatchOptions {
   double speed_limit_mps = 0.25;       ///< of the robot, > 0
   double turn_rate_limit_radps = 0.5;  ///< > 0
   double jump_m = 0.03;                ///< what a pose may be off beyond what the limits allow, > 0
-  double jump_rad = 0.3;               ///< the same for the yaw, > 0
+  double jump_rad = 0.296705972839036;  ///< the same for the yaw (17 deg), > 0
   double frozen_m = 0.03;     ///< commanded travel during which some digit has to change, > 0
   int good_poses = 3;         ///< in a row, before the pose is trusted again, > 0
   int consistent_poses = 12;  ///< in a row at another place, before that is believed, > 0

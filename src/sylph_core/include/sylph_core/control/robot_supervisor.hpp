@@ -27,8 +27,8 @@ struct RobotSituation {
 
 struct SupervisorLimits {
   double central_timeout_s = 0.5;  ///< > 0
-  double heading_correction_rad =
-      0.35;  ///< larger heading errors are for the operator to correct, > 0
+  /// Larger heading errors are for an operator to correct (20 deg), > 0.
+  double heading_correction_rad = 0.349065850398866;
 };
 
 struct RobotDecision {
