@@ -1,38 +1,21 @@
 #include "sylph_robot_node/options.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
-#include <vector>
 
 #include "sylph_core/experiment/experiment_control.hpp"
 #include "sylph_ros/experiment.hpp"
-#include "sylph_ros/parameters.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_robot_node {
 namespace {
 
-double radians(double degrees) {
-  return degrees * M_PI / 180.0;
-}
-
-/// One number with its bounds; `value` holds the default.
-struct Number {
-  const char* name;
-  double* value;
-  double low;
-  double high;
-};
-
-void readNumber(const ros::NodeHandle& nh, const Number& number) {
-  sylph_ros::read(nh, number.name, *number.value);
-  sylph_ros::requireInRange(nh, number.name, *number.value, number.low, number.high);
-}
-
-void readCount(const ros::NodeHandle& nh, const char* name, int& value) {
-  sylph_ros::read(nh, name, value);
-  sylph_ros::requireInRange(nh, name, value, 1, 1000);
+/// An angle that users see in degrees.
+void readDegrees(sylph_ros::ParameterReader& reader, const char* name, double& value_rad,
+                 const sylph::Range& range, const char* meaning) {
+  double value_deg = value_rad * 180.0 / M_PI;
+  reader.read(name, value_deg, range, meaning);
+  value_rad = value_deg * M_PI / 180.0;
 }
 
 std::string nameFromNamespace(const ros::NodeHandle& nh) {
@@ -52,90 +35,100 @@ void requireMember(const sylph::Experiment& experiment, const std::string& robot
                            names);
 }
 
-void readController(const ros::NodeHandle& nh, sylph::RobotControllerOptions& controller) {
-  sylph::FollowerOptions& follower = controller.follower;
-  double heading_correction_deg = 20.0;
-  double pose_jump_deg = 17.0;
-  const std::vector<Number> numbers = {
-      {"heading_rad", &follower.heading_rad, -M_PI, M_PI},
-      {"base_latency_s", &controller.base.latency_s, 0.0, 0.5},
-      {"base_lag_s", &controller.base.lag_s, 0.0, 1.0},
-      {"command_acceleration_mps2", &controller.limits.acceleration_mps2, 0.01, 100.0},
-      {"stop_deceleration_mps2", &controller.stop_deceleration_mps2, 0.01, 100.0},
-      {"slip_limit", &controller.slip.largest, 0.0, 0.5},
-      {"blend_m", &follower.blend_m, 0.0, 0.1},
-      {"braking_share", &follower.braking_share, 0.1, 1.0},
-      {"approach_gain", &follower.approach_gain, 0.1, 50.0},
-      {"cross_gain", &follower.cross.proportional, 0.0, 50.0},
-      {"cross_integral_gain", &follower.cross.integral, 0.0, 50.0},
-      {"cross_integral_limit_mps", &follower.cross.integral_limit, 0.0, 1.0},
-      {"heading_gain", &follower.heading.proportional, 0.0, 50.0},
-      {"heading_integral_gain", &follower.heading.integral, 0.0, 50.0},
-      {"heading_integral_limit_radps", &follower.heading.integral_limit, 0.0, 1.0},
-      {"heading_correction_deg", &heading_correction_deg, 1.0, 180.0},
-      {"central_timeout_s", &controller.supervisor.central_timeout_s, 0.05, 60.0},
-      {"pose_jump_m", &controller.watch.jump_m, 0.001, 10.0},
-      {"pose_jump_deg", &pose_jump_deg, 0.1, 180.0},
-  };
-  for (const Number& number : numbers) {
-    readNumber(nh, number);
-  }
-  readCount(nh, "good_poses", controller.watch.good_poses);
-  readCount(nh, "consistent_poses", controller.watch.consistent_poses);
-  readCount(nh, "arrival_poses", controller.arrival_poses);
-  follower.lag_s = controller.base.lag_s;
-  controller.supervisor.heading_correction_rad = radians(heading_correction_deg);
-  controller.watch.jump_rad = radians(pose_jump_deg);
+void readBase(sylph_ros::ParameterReader& reader, sylph::RobotControllerOptions& controller) {
+  reader.read("base_latency_s", controller.base.latency_s, {0.0, 0.5},
+              "from `cmd_vel` to the wheels");
+  reader.read("base_lag_s", controller.base.lag_s, {0.0, 1.0},
+              "time constant with which the speed then follows");
+  reader.read("command_acceleration_mps2", controller.limits.acceleration_mps2, {0.01, 100.0},
+              "largest change of a command; more than the robot's limit, since feed-forward steps");
+  reader.read("stop_deceleration_mps2", controller.stop_deceleration_mps2, {0.01, 100.0},
+              "of a ramp to zero");
+  reader.read("slip_limit", controller.slip.largest, {0.0, 0.5},
+              "share of the speed lost by slip that is learnt and made up for, so that the robot "
+              "itself keeps the speed limit");
+  controller.follower.lag_s = controller.base.lag_s;
+}
+
+void readFollower(sylph_ros::ParameterReader& reader, sylph::FollowerOptions& follower) {
+  const sylph::Range gain{0.0, 50.0};
+  const sylph::Range limit{0.0, 1.0};
+  reader.read("heading_rad", follower.heading_rad, {-M_PI, M_PI}, "yaw held all the time");
+  reader.read("blend_m", follower.blend_m, {0.0, 0.1},
+              "corners are rounded from so far before to so far behind the centre; below 0.001 it "
+              "stops");
+  reader.read("braking_share", follower.braking_share, {0.1, 1.0},
+              "of the acceleration limit that braking plans with");
+  reader.read("approach_gain", follower.approach_gain, {0.1, 50.0},
+              "speed per distance close to a stop [1/s]");
+  reader.read("cross_gain", follower.cross.proportional, gain,
+              "speed per distance across the path [1/s]");
+  reader.read("cross_integral_gain", follower.cross.integral, gain,
+              "acceleration per distance across the path [1/s^2]");
+  reader.read("cross_integral_limit_mps", follower.cross.integral_limit, limit,
+              "largest speed that the integral adds");
+  reader.read("heading_gain", follower.heading.proportional, gain,
+              "turn rate per heading error [1/s]");
+  reader.read("heading_integral_gain", follower.heading.integral, gain,
+              "turn acceleration per heading error [1/s^2]");
+  reader.read("heading_integral_limit_radps", follower.heading.integral_limit, limit,
+              "largest turn rate that the integral adds");
+}
+
+void readWatches(sylph_ros::ParameterReader& reader, sylph::RobotControllerOptions& controller) {
+  const sylph::Range count{1.0, 1000.0};
+  readDegrees(reader, "heading_correction_deg", controller.supervisor.heading_correction_rad,
+              {1.0, 180.0}, "a larger heading error is for an operator to correct");
+  reader.read("central_timeout_s", controller.supervisor.central_timeout_s, {0.05, 60.0},
+              "without AdgState for so long it finishes its task and holds");
+  reader.read("pose_jump_m", controller.watch.jump_m, {0.001, 10.0},
+              "what a pose may be off beyond what the speed limit allows");
+  readDegrees(reader, "pose_jump_deg", controller.watch.jump_rad, {0.1, 180.0},
+              "the same for the yaw");
+  reader.read("good_poses", controller.watch.good_poses, count,
+              "in a row, before a blind robot goes on");
+  reader.read("consistent_poses", controller.watch.consistent_poses, count,
+              "in a row at another place, before that is believed");
+  reader.read("arrival_poses", controller.arrival_poses, count, "in a row, that show an arrival");
 }
 
 }  // namespace
 
-Options loadOptions(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh) {
-  sylph_ros::requireKnown(private_nh, {"experiment",
-                                       "robot",
-                                       "heading_rad",
-                                       "control_rate_hz",
-                                       "report_rate_hz",
-                                       "shutdown_s",
-                                       "base_latency_s",
-                                       "base_lag_s",
-                                       "command_acceleration_mps2",
-                                       "stop_deceleration_mps2",
-                                       "slip_limit",
-                                       "blend_m",
-                                       "braking_share",
-                                       "approach_gain",
-                                       "cross_gain",
-                                       "cross_integral_gain",
-                                       "cross_integral_limit_mps",
-                                       "heading_gain",
-                                       "heading_integral_gain",
-                                       "heading_integral_limit_radps",
-                                       "heading_correction_deg",
-                                       "central_timeout_s",
-                                       "pose_jump_m",
-                                       "pose_jump_deg",
-                                       "good_poses",
-                                       "consistent_poses",
-                                       "arrival_poses",
-                                       "diagnostic_period"});
+Options readOptions(sylph_ros::ParameterReader& reader) {
   Options options;
-  options.robot = nameFromNamespace(nh);
-  sylph_ros::read(private_nh, "robot", options.robot);
-  std::string own_path;
-  sylph_ros::read(private_nh, "experiment", own_path);
+  reader.read("robot", options.robot,
+              "name in the experiment; empty: last part of the node's namespace");
+  reader.read("experiment", options.experiment,
+              "absolute path of a copy of the experiment file on this computer; empty: the "
+              "suite's `experiment`");
+  readBase(reader, options.controller);
+  reader.read("control_rate_hz", options.control_rate_hz, {10.0, 500.0}, "of the control loop");
+  readFollower(reader, options.controller.follower);
+  readWatches(reader, options.controller);
+  reader.read("report_rate_hz", options.report_rate_hz, {1.0, 500.0},
+              "of `task_report`; not above `control_rate_hz`");
+  reader.read("shutdown_s", options.shutdown_s, {0.0, 5.0}, "zeros sent before the node ends");
+  sylph_ros::readDiagnosticPeriod(reader);
+  if (options.report_rate_hz > options.control_rate_hz) {
+    throw reader.error("report_rate_hz", "must be at most control_rate_hz = " +
+                                             sylph::shortNumber(options.control_rate_hz));
+  }
+  options.controller.period_s = 1.0 / options.control_rate_hz;
+  return options;
+}
+
+Options loadOptions(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh) {
+  Options options = sylph_ros::readStrictly(private_nh, readOptions);
+  if (options.robot.empty()) {
+    options.robot = nameFromNamespace(nh);
+  }
   const sylph::Experiment experiment =
-      sylph_ros::loadExperiment(sylph_ros::suiteHandle(nh), own_path);
+      sylph_ros::loadExperiment(sylph_ros::suiteHandle(nh), options.experiment);
   requireMember(experiment, options.robot);
   options.grid = experiment.grid;
   options.cell_size_m = experiment.cell_size_m;
   options.corner = experiment.corner;
-  options.controller = sylph::controllerOptionsFor(experiment.execution);
-  readController(private_nh, options.controller);
-  readNumber(private_nh, {"control_rate_hz", &options.control_rate_hz, 10.0, 500.0});
-  readNumber(private_nh, {"report_rate_hz", &options.report_rate_hz, 1.0, options.control_rate_hz});
-  readNumber(private_nh, {"shutdown_s", &options.shutdown_s, 0.0, 5.0});
-  options.controller.period_s = 1.0 / options.control_rate_hz;
+  sylph::applyExecution(experiment.execution, options.controller);
   return options;
 }
 

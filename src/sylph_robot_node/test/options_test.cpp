@@ -73,7 +73,7 @@ TEST_F(OptionsTest, RefusesAnUnknownParameter) {
 
 TEST_F(OptionsTest, RefusesAWrongType) {
   private_nh_.setParam("cross_gain", "high");
-  EXPECT_NE(std::string::npos, complaint().find("cross_gain: must be a number"));
+  EXPECT_NE(std::string::npos, complaint().find("cross_gain = \"high\": must be a number"));
 }
 
 TEST_F(OptionsTest, TakesACopyOfTheExperimentOnThisComputer) {

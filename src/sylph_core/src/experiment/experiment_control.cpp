@@ -2,8 +2,7 @@
 
 namespace sylph {
 
-RobotControllerOptions controllerOptionsFor(const ExecutionSpec& execution) {
-  RobotControllerOptions controller;
+void applyExecution(const ExecutionSpec& execution, RobotControllerOptions& controller) {
   controller.cell_margin_m = execution.tracking_error_m;
   controller.limits.speed_mps = execution.speed_limit_mps;
   controller.limits.turn_rate_radps = execution.turn_rate_limit_radps;
@@ -19,6 +18,11 @@ RobotControllerOptions controllerOptionsFor(const ExecutionSpec& execution) {
   controller.watch.timeout_s = execution.pose_timeout_s;
   controller.watch.speed_limit_mps = execution.speed_limit_mps;
   controller.watch.turn_rate_limit_radps = execution.turn_rate_limit_radps;
+}
+
+RobotControllerOptions controllerOptionsFor(const ExecutionSpec& execution) {
+  RobotControllerOptions controller;
+  applyExecution(execution, controller);
   return controller;
 }
 

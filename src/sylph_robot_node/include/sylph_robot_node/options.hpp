@@ -6,21 +6,27 @@
 
 #include "sylph_core/control/robot_controller.hpp"
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_ros/parameter_reader.hpp"
 
 namespace sylph_robot_node {
 
 /// Parameters of the node; README.md has the same rows. What all nodes share comes from the
 /// experiment.
 struct Options {
-  std::string robot;              ///< name; from the namespace unless set
-  double control_rate_hz = 50.0;  ///< 10 ... 500
-  double report_rate_hz = 10.0;   ///< 1 ... control_rate_hz
-  double shutdown_s = 0.5;        ///< zeros sent before the node goes down, 0 ... 5
+  std::string robot;
+  std::string experiment;
+  double control_rate_hz = 50.0;
+  double report_rate_hz = 10.0;
+  double shutdown_s = 0.5;
   sylph::RobotControllerOptions controller;
   sylph::Grid grid;
   double cell_size_m = 0.0;
   sylph::Point corner;  ///< lower left corner of the map [m]
 };
+
+/// The node's own parameters, with meaning and bounds.
+/// @throws std::runtime_error on a mistyped or forbidden value
+Options readOptions(sylph_ros::ParameterReader& reader);
 
 /// @throws std::runtime_error naming the parameter if one is unknown, of the wrong type or out of
 /// its bounds, if the experiment cannot be read, or if the robot is not in it
