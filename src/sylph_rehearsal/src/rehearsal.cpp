@@ -6,14 +6,17 @@
 namespace sylph_rehearsal {
 namespace {
 
+using sylph_sim::requireWithin;
+
 void requireValid(const LinkOptions& link, const std::string& name) {
-  using sylph_sim::requireInRange;
-  sylph_sim::requireNotNegative(name + ".delay_s", link.delay_s);
-  sylph_sim::requireNotNegative(name + ".jitter_s", link.jitter_s);
-  sylph_sim::requireNotNegative(name + ".held_up_s", link.held_up_s);
-  requireInRange(name + ".loss", link.loss, 0.0, 1.0);
-  requireInRange(name + ".doubling", link.doubling, 0.0, 1.0);
-  requireInRange(name + ".reordering", link.reordering, 0.0, 1.0);
+  const sylph::Range share{0.0, 1.0};
+  const sylph::Range duration = sylph::Range::atLeast(0.0);
+  requireWithin(name + ".delay_s", link.delay_s, duration);
+  requireWithin(name + ".jitter_s", link.jitter_s, duration);
+  requireWithin(name + ".held_up_s", link.held_up_s, duration);
+  requireWithin(name + ".loss", link.loss, share);
+  requireWithin(name + ".doubling", link.doubling, share);
+  requireWithin(name + ".reordering", link.reordering, share);
 }
 
 }  // namespace
@@ -32,12 +35,13 @@ std::string toString(Ending ending) {
 
 void requireValid(const RehearsalOptions& options) {
   sylph_sim::requireValid(options.simulation);
-  sylph_sim::requirePositive("control_rate_hz", options.control_rate_hz);
-  sylph_sim::requirePositive("report_rate_hz", options.report_rate_hz);
-  sylph_sim::requirePositive("heartbeat_period_s", options.heartbeat_period_s);
-  sylph_sim::requireNotNegative("planning_s", options.planning_s);
-  sylph_sim::requirePositive("quiet_s", options.quiet_s);
-  sylph_sim::requirePositive("time_limit_s", options.time_limit_s);
+  const sylph::Range positive = sylph::Range::positive();
+  requireWithin("control_rate_hz", options.control_rate_hz, positive);
+  requireWithin("report_rate_hz", options.report_rate_hz, positive);
+  requireWithin("heartbeat_period_s", options.heartbeat_period_s, positive);
+  requireWithin("planning_s", options.planning_s, sylph::Range::atLeast(0.0));
+  requireWithin("quiet_s", options.quiet_s, positive);
+  requireWithin("time_limit_s", options.time_limit_s, positive);
   requireValid(options.cameras, "cameras");
   requireValid(options.network, "network");
   requireValid(options.computer, "computer");

@@ -17,15 +17,27 @@ sylph::Pose2d between(const sylph::Pose2d& before, const sylph::Pose2d& after, d
 
 }  // namespace
 
+void visitNumbers(CameraOptions& options, const NumberVisitor& visit) {
+  const sylph::Range not_negative = sylph::Range::atLeast(0.0);
+  const sylph::Range probability{0.0, 1.0};
+  visit("rate_hz", options.rate_hz, sylph::Range::positive(), "frames a simulated second");
+  visit("latency_s", options.latency_s, not_negative, "from exposure to sending");
+  visit("position_noise_m", options.position_noise_m, not_negative,
+        "standard deviation an axis and frame");
+  visit("yaw_noise_rad", options.yaw_noise_rad, not_negative, "standard deviation a frame");
+  visit("body_offset_m", options.body_offset_m, not_negative,
+        "standard deviation of a body's constant offset from its robot");
+  visit("body_yaw_offset_rad", options.body_yaw_offset_rad, not_negative,
+        "standard deviation of its constant rotation");
+  visit("occlusion_probability", options.occlusion_probability, probability,
+        "of a body not being tracked in a frame");
+  visit("frame_loss_probability", options.frame_loss_probability, probability,
+        "of a frame never being sent");
+}
+
 void requireValid(const CameraOptions& options) {
-  requirePositive("rate_hz", options.rate_hz);
-  requireNotNegative("latency_s", options.latency_s);
-  requireNotNegative("position_noise_m", options.position_noise_m);
-  requireNotNegative("yaw_noise_rad", options.yaw_noise_rad);
-  requireNotNegative("body_offset_m", options.body_offset_m);
-  requireNotNegative("body_yaw_offset_rad", options.body_yaw_offset_rad);
-  requireInRange("occlusion_probability", options.occlusion_probability, 0.0, 1.0);
-  requireInRange("frame_loss_probability", options.frame_loss_probability, 0.0, 1.0);
+  CameraOptions checked = options;
+  visitNumbers(checked, requireWithin);
 }
 
 Cameras::Cameras(const CameraOptions& options, const std::vector<sylph::Pose2d>& poses,

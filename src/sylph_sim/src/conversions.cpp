@@ -33,20 +33,6 @@ sylph_natnet::RigidBodySample toSample(const CapturedBody& body, std::size_t rob
 
 }  // namespace
 
-std::string toString(UpAxis axis) {
-  return axis == UpAxis::Y ? "y" : "z";
-}
-
-UpAxis upAxisFromString(const std::string& text) {
-  if (text == "y") {
-    return UpAxis::Y;
-  }
-  if (text == "z") {
-    return UpAxis::Z;
-  }
-  throw std::invalid_argument("up_axis '" + text + "': must be y or z");
-}
-
 std::uint64_t toTicks(double since_start_s) {
   return static_cast<std::uint64_t>(
       std::llround((since_start_s + kUptimeAtStart) * static_cast<double>(kTicksPerSecond)));

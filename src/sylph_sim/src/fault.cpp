@@ -107,11 +107,11 @@ FaultScript::FaultScript(std::size_t robot_count) : robot_count_(robot_count) {
 }
 
 void FaultScript::add(const Fault& fault, double origin_s) {
-  requireNotNegative("at_s", fault.at_s);
+  requireWithin("at_s", fault.at_s, sylph::Range::atLeast(0.0));
   if (!(fault.duration_s > 0.0)) {
-    requirePositive("duration_s", fault.duration_s);
+    requireWithin("duration_s", fault.duration_s, sylph::Range::positive());
   }
-  requireInRange("value", fault.value, fault.kind == FaultKind::Slow ? 0.0 : -10.0, 10.0);
+  requireWithin("value", fault.value, {fault.kind == FaultKind::Slow ? 0.0 : -10.0, 10.0});
   for (const std::size_t robot : fault.robots) {
     if (robot >= robot_count_) {
       throw std::invalid_argument("fault robot " + std::to_string(robot) + ": must be in 0 ... " +

@@ -22,19 +22,40 @@ double nextNoise(double value, double deviation, double duration_s, double corre
 
 }  // namespace
 
+void visitNumbers(BaseOptions& options, const NumberVisitor& visit) {
+  const sylph::Range positive = sylph::Range::positive();
+  const sylph::Range not_negative = sylph::Range::atLeast(0.0);
+  const sylph::Range up_to_half{0.0, 0.5};
+  visit("wheel_radius_m", options.geometry.wheel_radius_m, positive, "of each wheel");
+  visit("half_wheelbase_m", options.geometry.half_wheelbase_m, positive,
+        "centre to wheel axes, forward");
+  visit("half_track_m", options.geometry.half_track_m, positive,
+        "centre to wheel contacts, sideways");
+  visit("wheel_speed_limit_radps", options.wheel_speed_limit_radps, positive, "of each wheel");
+  visit("wheel_acceleration_limit_radps2", options.wheel_acceleration_limit_radps2, positive,
+        "of each wheel");
+  visit("wheel_lag_s", options.wheel_lag_s, not_negative,
+        "time constant of the wheel speed controllers");
+  visit("command_latency_s", options.command_latency_s, not_negative,
+        "from a command's arrival to its effect");
+  visit("command_timeout_s", options.command_timeout_s, positive,
+        "the base latches a command for this long: `base_timeout_s` of the experiment");
+  visit("command_resolution", options.command_resolution, not_negative,
+        "step of a command [m/s, rad/s]; 0: none");
+  visit("wheel_scale_error", options.wheel_scale_error, {0.0, 0.2},
+        "standard deviation of each wheel's constant gain");
+  visit("speed_noise", options.speed_noise, up_to_half,
+        "standard deviation of wheel speed, relative");
+  visit("slip", options.slip, up_to_half, "mean share of a wheel's turn that is lost");
+  visit("slip_noise", options.slip_noise, up_to_half, "standard deviation of that share");
+  visit("lateral_slip", options.lateral_slip, up_to_half, "share of sideways motion that is lost");
+  visit("noise_correlation_s", options.noise_correlation_s, positive,
+        "time over which speed and slip noise persist");
+}
+
 void requireValid(const BaseOptions& options) {
-  requirePositive("wheel_speed_limit_radps", options.wheel_speed_limit_radps);
-  requirePositive("wheel_acceleration_limit_radps2", options.wheel_acceleration_limit_radps2);
-  requireNotNegative("wheel_lag_s", options.wheel_lag_s);
-  requireNotNegative("command_latency_s", options.command_latency_s);
-  requirePositive("command_timeout_s", options.command_timeout_s);
-  requireNotNegative("command_resolution", options.command_resolution);
-  requireInRange("wheel_scale_error", options.wheel_scale_error, 0.0, 0.2);
-  requireInRange("speed_noise", options.speed_noise, 0.0, 0.5);
-  requireInRange("slip", options.slip, 0.0, 0.5);
-  requireInRange("slip_noise", options.slip_noise, 0.0, 0.5);
-  requireInRange("lateral_slip", options.lateral_slip, 0.0, 0.5);
-  requirePositive("noise_correlation_s", options.noise_correlation_s);
+  BaseOptions checked = options;
+  visitNumbers(checked, requireWithin);
 }
 
 sylph::Pose2d integrate(const sylph::Pose2d& pose, const sylph::Twist2d& twist_robot,

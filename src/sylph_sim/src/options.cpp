@@ -2,99 +2,40 @@
 
 #include <XmlRpcValue.h>
 
-#include <array>
 #include <stdexcept>
-#include <utility>
-
-#include "sylph_ros/parameters.hpp"
 
 namespace sylph_sim {
 namespace {
 
 using XmlRpc::XmlRpcValue;
 
-using NamedValue = std::pair<const char*, double*>;
+using sylph_ros::ParameterReader;
 
-/// Reads all numbers of one group and refuses other keys in it.
-template <std::size_t kCount>
-void readGroup(const ros::NodeHandle& nh, const std::array<NamedValue, kCount>& values) {
-  std::vector<std::string> known;
-  for (const auto& [name, value] : values) {
-    known.emplace_back(name);
-    sylph_ros::read(nh, name, *value);
-  }
-  sylph_ros::requireKnown(nh, known);
+/// Reads the numbers of some options.
+template <typename Options>
+void readNumbers(ParameterReader& reader, Options& options) {
+  visitNumbers(options,
+               [&reader](const std::string& name, double& value, const sylph::Range& range,
+                         const std::string& meaning) { reader.read(name, value, range, meaning); });
 }
 
-BaseOptions loadBase(const ros::NodeHandle& nh) {
-  BaseOptions base;
-  readGroup(nh, std::array<NamedValue, 15>{{
-                    {"wheel_radius_m", &base.geometry.wheel_radius_m},
-                    {"half_wheelbase_m", &base.geometry.half_wheelbase_m},
-                    {"half_track_m", &base.geometry.half_track_m},
-                    {"wheel_speed_limit_radps", &base.wheel_speed_limit_radps},
-                    {"wheel_acceleration_limit_radps2", &base.wheel_acceleration_limit_radps2},
-                    {"wheel_lag_s", &base.wheel_lag_s},
-                    {"command_latency_s", &base.command_latency_s},
-                    {"command_timeout_s", &base.command_timeout_s},
-                    {"command_resolution", &base.command_resolution},
-                    {"wheel_scale_error", &base.wheel_scale_error},
-                    {"speed_noise", &base.speed_noise},
-                    {"slip", &base.slip},
-                    {"slip_noise", &base.slip_noise},
-                    {"lateral_slip", &base.lateral_slip},
-                    {"noise_correlation_s", &base.noise_correlation_s},
-                }});
-  for (const auto& [name, value] : {NamedValue{"wheel_radius_m", &base.geometry.wheel_radius_m},
-                                    NamedValue{"half_wheelbase_m", &base.geometry.half_wheelbase_m},
-                                    NamedValue{"half_track_m", &base.geometry.half_track_m}}) {
-    sylph_ros::requirePositive(nh, name, *value);
-  }
-  return base;
-}
-
-CameraOptions loadCameras(const ros::NodeHandle& nh) {
-  CameraOptions cameras;
-  readGroup(nh, std::array<NamedValue, 8>{{
-                    {"rate_hz", &cameras.rate_hz},
-                    {"latency_s", &cameras.latency_s},
-                    {"position_noise_m", &cameras.position_noise_m},
-                    {"yaw_noise_rad", &cameras.yaw_noise_rad},
-                    {"body_offset_m", &cameras.body_offset_m},
-                    {"body_yaw_offset_rad", &cameras.body_yaw_offset_rad},
-                    {"occlusion_probability", &cameras.occlusion_probability},
-                    {"frame_loss_probability", &cameras.frame_loss_probability},
-                }});
-  return cameras;
-}
-
-void readAddress(const ros::NodeHandle& nh, const std::string& name,
-                 sylph_natnet::Ipv4Address& address) {
-  std::string text = sylph_natnet::toString(address);
-  sylph_ros::read(nh, name, text);
-  address = sylph_natnet::addressFromString(text);
-}
-
-NatNetOptions loadNatNet(const ros::NodeHandle& nh) {
-  NatNetOptions natnet;
-  std::string version = sylph_natnet::toString(natnet.version);
-  sylph_ros::read(nh, "version", version);
-  natnet.version = sylph_natnet::versionFromString(version);
-  readAddress(nh, "address", natnet.address);
-  readAddress(nh, "multicast_group", natnet.multicast_group);
-  sylph_ros::read(nh, "multicast", natnet.multicast);
-  sylph_ros::read(nh, "command_port", natnet.command_port);
-  sylph_ros::requireInRange(nh, "command_port", natnet.command_port, 0, 65535);
-  sylph_ros::read(nh, "data_port", natnet.data_port);
-  sylph_ros::requireInRange(nh, "data_port", natnet.data_port, 0, 65535);
-  std::string up_axis = toString(natnet.up_axis);
-  sylph_ros::read(nh, "up_axis", up_axis);
-  natnet.up_axis = upAxisFromString(up_axis);
-  sylph_ros::read(nh, "body_height_m", natnet.body_height_m);
-  sylph_ros::requireInRange(nh, "body_height_m", natnet.body_height_m, 0.0, 10.0);
-  sylph_ros::requireKnown(nh, {"address", "body_height_m", "command_port", "data_port", "multicast",
-                               "multicast_group", "up_axis", "version"});
-  return natnet;
+void readNatNet(ParameterReader reader, NatNetOptions& natnet) {
+  using sylph_natnet::addressFromString;
+  using sylph_natnet::toString;
+  const sylph::Range port{0.0, 65535.0};
+  reader.readParsed("version", natnet.version, toString(natnet.version),
+                    sylph_natnet::versionFromString, "bitstream, 2.0 ... 4.2");
+  reader.readParsed("address", natnet.address, toString(natnet.address), addressFromString,
+                    "of the interface to serve on");
+  reader.read("command_port", natnet.command_port, port, "0: any free one");
+  reader.read("data_port", natnet.data_port, port, "0: any free one");
+  reader.read("multicast", natnet.multicast, "to the group; false: to each client by itself");
+  reader.readParsed("multicast_group", natnet.multicast_group, toString(natnet.multicast_group),
+                    addressFromString, "224.0.0.0 ... 239.255.255.255");
+  reader.readChoice<UpAxis>("up_axis", natnet.up_axis, {{"y", UpAxis::Y}, {"z", UpAxis::Z}},
+                            "must be what the bridge is told");
+  reader.read("body_height_m", natnet.body_height_m, {0.0, 10.0},
+              "of the rigid bodies above the floor");
 }
 
 double numberOf(XmlRpcValue& value, const std::string& field) {
@@ -153,27 +94,23 @@ Fault faultOf(XmlRpcValue& entry, const sylph::Experiment& experiment) {
 
 }  // namespace
 
-Options loadOptions(const ros::NodeHandle& private_nh) {
+Options readOptions(ParameterReader& reader) {
   Options options;
-  SimulationOptions& simulation = options.simulation;
-  sylph_ros::read(private_nh, "step_rate_hz", simulation.step_rate_hz);
-  sylph_ros::read(private_nh, "start_offset_m", simulation.start_offset_m);
-  sylph_ros::read(private_nh, "start_yaw_offset_rad", simulation.start_yaw_offset_rad);
-  simulation.base = loadBase(ros::NodeHandle(private_nh, "base"));
-  simulation.cameras = loadCameras(ros::NodeHandle(private_nh, "cameras"));
-  options.natnet = loadNatNet(ros::NodeHandle(private_nh, "natnet"));
-  sylph_ros::read(private_nh, "clock_period_s", options.clock_period_s);
-  sylph_ros::requirePositive(private_nh, "clock_period_s", options.clock_period_s);
-  sylph_ros::read(private_nh, "clock_wall_rate_limit_hz", options.clock_wall_rate_limit_hz);
-  sylph_ros::requirePositive(private_nh, "clock_wall_rate_limit_hz",
-                             options.clock_wall_rate_limit_hz);
-  sylph_ros::read(private_nh, "truth_rate_hz", options.truth_rate_hz);
-  sylph_ros::requirePositive(private_nh, "truth_rate_hz", options.truth_rate_hz);
-  sylph_ros::requireKnown(private_nh,
-                          {"base", "cameras", "clock_period_s", "clock_wall_rate_limit_hz",
-                           "diagnostic_period", "faults", "natnet", "start_offset_m",
-                           "start_yaw_offset_rad", "step_rate_hz", "truth_rate_hz"});
-  requireValid(simulation);
+  const sylph::Range positive = sylph::Range::positive();
+  readNumbers(reader, options.simulation);
+  ParameterReader base = reader.group("base");
+  readNumbers(base, options.simulation.base);
+  ParameterReader cameras = reader.group("cameras");
+  readNumbers(cameras, options.simulation.cameras);
+  readNatNet(reader.group("natnet"), options.natnet);
+  reader.read("clock_period_s", options.clock_period_s, positive,
+              "simulated time between two `/clock` messages");
+  reader.read("clock_wall_rate_limit_hz", options.clock_wall_rate_limit_hz, positive,
+              "`/clock` messages a wall second at most");
+  reader.read("truth_rate_hz", options.truth_rate_hz, positive,
+              "`simulation_truth` messages a simulated second");
+  reader.readList("faults", "what goes wrong and when, see below");
+  sylph_ros::readDiagnosticPeriod(reader);
   return options;
 }
 

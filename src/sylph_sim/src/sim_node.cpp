@@ -50,7 +50,7 @@ void requireSimulatedTime() {
 }  // namespace
 
 SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
-    : options_(loadOptions(private_nh)),
+    : options_(sylph_ros::readStrictly(private_nh, readOptions)),
       experiment_(sylph_ros::loadExperiment(nh)),
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       start_s_(ros::WallTime::now().toSec()),

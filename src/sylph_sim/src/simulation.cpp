@@ -23,10 +23,17 @@ bool isZero(const sylph::Twist2d& twist) {
 
 }  // namespace
 
+void visitNumbers(SimulationOptions& options, const NumberVisitor& visit) {
+  visit("step_rate_hz", options.step_rate_hz, sylph::Range::positive(), "steps a simulated second");
+  visit("start_offset_m", options.start_offset_m, sylph::Range::atLeast(0.0),
+        "robots start at most this far off their cell's centre");
+  visit("start_yaw_offset_rad", options.start_yaw_offset_rad, sylph::Range::atLeast(0.0),
+        "and turned by at most this");
+}
+
 void requireValid(const SimulationOptions& options) {
-  requirePositive("step_rate_hz", options.step_rate_hz);
-  requireNotNegative("start_offset_m", options.start_offset_m);
-  requireNotNegative("start_yaw_offset_rad", options.start_yaw_offset_rad);
+  SimulationOptions checked = options;
+  visitNumbers(checked, requireWithin);
   requireValid(options.base);
   requireValid(options.cameras);
 }

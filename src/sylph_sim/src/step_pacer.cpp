@@ -12,9 +12,9 @@ StepPacer::StepPacer(double step_s, double target_speed, double max_backlog_s)
       target_speed_(target_speed),
       max_backlog_s_(max_backlog_s),
       speed_(target_speed) {
-  requirePositive("step_s", step_s);
-  requirePositive("speed", target_speed);
-  requirePositive("max_backlog_s", max_backlog_s);
+  requireWithin("step_s", step_s, sylph::Range::positive());
+  requireWithin("speed", target_speed, sylph::Range::positive());
+  requireWithin("max_backlog_s", max_backlog_s, sylph::Range::positive());
 }
 
 int StepPacer::stepsDue(double wall_s) {

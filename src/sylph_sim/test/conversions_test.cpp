@@ -80,11 +80,5 @@ TEST(ConversionsTest, AFaultOfAMessageHasItsKindsDefaults) {
   EXPECT_THROW(fromMessage(request, experiment), std::runtime_error);
 }
 
-TEST(ConversionsTest, UpAxisThereAndBack) {
-  EXPECT_EQ(UpAxis::Y, upAxisFromString(toString(UpAxis::Y)));
-  EXPECT_EQ(UpAxis::Z, upAxisFromString(toString(UpAxis::Z)));
-  EXPECT_THROW(upAxisFromString("Y"), std::invalid_argument);
-}
-
 }  // namespace
 }  // namespace sylph_sim

@@ -25,7 +25,7 @@ ros::NodeHandle own(const std::string& name) {
 /// What is said when the options are loaded; empty if nothing is wrong.
 std::string complaint(const ros::NodeHandle& nh) {
   try {
-    loadOptions(nh);
+    sylph_ros::readStrictly(nh, readOptions);
     loadFaults(nh, twoRobots());
   } catch (const std::exception& error) {
     return error.what();
@@ -50,7 +50,7 @@ XmlRpc::XmlRpcValue faultList(const std::string& field, const XmlRpc::XmlRpcValu
 }
 
 TEST(OptionsTest, TheShippedFileHasTheDefaults) {
-  const Options shipped = loadOptions(own("shipped"));
+  const Options shipped = sylph_ros::readStrictly(own("shipped"), readOptions);
   const Options defaults;
   EXPECT_EQ(defaults.simulation.step_rate_hz, shipped.simulation.step_rate_hz);
   EXPECT_EQ(defaults.simulation.start_offset_m, shipped.simulation.start_offset_m);
@@ -93,15 +93,17 @@ TEST(OptionsTest, ReadsAFaultScript) {
 TEST(OptionsTest, BadParametersAreNamed) {
   expectComplaint("step_rate_hz", 0.0, "step_rate_hz");
   expectComplaint("step_rat_hz", 200.0, "step_rat_hz: unknown");
-  expectComplaint("base/wheel_lag_s", -1.0, "wheel_lag_s");
+  expectComplaint("base/wheel_lag_s", -1.0, "/base/wheel_lag_s = -1: must be >= 0");
   expectComplaint("base/wheel_lags", 1.0, "wheel_lags: unknown");
-  expectComplaint("base/wheel_radius_m", 0.0, "wheel_radius_m");
+  expectComplaint("base/wheel_radius_m", 0.0, "/base/wheel_radius_m = 0: must be > 0");
   expectComplaint("base/slip", "much", "must be a number");
   expectComplaint("cameras/rate_hz", -120.0, "rate_hz");
-  expectComplaint("cameras/occlusion_probability", 2.0, "occlusion_probability");
-  expectComplaint("natnet/version", "five", "five");
-  expectComplaint("natnet/up_axis", "x", "up_axis");
-  expectComplaint("natnet/command_port", 70000, "command_port");
+  expectComplaint("cameras/occlusion_probability", 2.0,
+                  "occlusion_probability = 2: must be 0 ... 1");
+  expectComplaint("natnet/version", "five", "/natnet/version = \"five\"");
+  expectComplaint("natnet/up_axis", "x", "/natnet/up_axis = \"x\": must be one of y, z");
+  expectComplaint("natnet/command_port", 70000,
+                  "/natnet/command_port = 70000: must be 0 ... 65535");
   expectComplaint("truth_rate_hz", 0.0, "truth_rate_hz");
 }
 

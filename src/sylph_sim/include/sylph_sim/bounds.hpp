@@ -1,13 +1,19 @@
 #pragma once
 
+#include <functional>
 #include <string>
 
-/// Checks of option values that need no ROS. All throw std::invalid_argument with one line: name,
-/// value, what is allowed.
+#include "sylph_core/files/range.hpp"
+
 namespace sylph_sim {
 
-void requirePositive(const std::string& name, double value);
-void requireNotNegative(const std::string& name, double value);
-void requireInRange(const std::string& name, double value, double low, double high);
+/// Is shown each number of some options: its name, its value, what is allowed, what it means. So a
+/// bound stands once, for whoever reads the options and for whoever checks them.
+using NumberVisitor = std::function<void(const std::string& name, double& value,
+                                         const sylph::Range& range, const std::string& meaning)>;
+
+/// @throws std::invalid_argument with one line: name, value, what is allowed
+void requireWithin(const std::string& name, double value, const sylph::Range& range,
+                   const std::string& meaning = "");
 
 }  // namespace sylph_sim

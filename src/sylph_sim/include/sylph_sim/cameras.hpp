@@ -6,21 +6,25 @@
 
 #include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/rng.hpp"
+#include "sylph_sim/bounds.hpp"
 #include "sylph_sim/fault.hpp"
 
 namespace sylph_sim {
 
 /// How the simulated cameras see. Frames leave in the order of their capture.
 struct CameraOptions {
-  double rate_hz = 120.0;                  ///< frames a simulated second, > 0
-  double latency_s = 0.008;                ///< from capture to sending, >= 0
-  double position_noise_m = 0.0002;        ///< standard deviation an axis and frame, >= 0
-  double yaw_noise_rad = 0.001;            ///< standard deviation a frame, >= 0
-  double body_offset_m = 0.001;            ///< standard deviation of a body's constant offset, >= 0
-  double body_yaw_offset_rad = 0.003;      ///< standard deviation of its constant rotation, >= 0
-  double occlusion_probability = 0.0005;   ///< of a body not being tracked in a frame, 0 ... 1
-  double frame_loss_probability = 0.0005;  ///< of a frame never being sent, 0 ... 1
+  double rate_hz = 120.0;
+  double latency_s = 0.008;
+  double position_noise_m = 0.0002;
+  double yaw_noise_rad = 0.001;
+  double body_offset_m = 0.001;
+  double body_yaw_offset_rad = 0.003;
+  double occlusion_probability = 0.0005;
+  double frame_loss_probability = 0.0005;
 };
+
+/// Shows each number with its bounds and meaning.
+void visitNumbers(CameraOptions& options, const NumberVisitor& visit);
 
 /// @throws std::invalid_argument naming the member, its value and its bound
 void requireValid(const CameraOptions& options);

@@ -15,11 +15,6 @@ namespace sylph_sim {
 /// Which of the motion-capture system's axes points up.
 enum class UpAxis { Y, Z };
 
-/// "y" or "z"
-std::string toString(UpAxis axis);
-/// @throws std::invalid_argument unless the text is "y" or "z"
-UpAxis upAxisFromString(const std::string& text);
-
 /// Rate of the simulated server's clock [1/s], that of a usual Windows performance counter.
 constexpr std::uint64_t kTicksPerSecond = 10'000'000;
 

@@ -6,25 +6,29 @@
 #include "sylph_core/control/mecanum.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/rng.hpp"
+#include "sylph_sim/bounds.hpp"
 
 namespace sylph_sim {
 
 /// What a simulated base is like. Noise is drawn anew for each robot from its seed.
 struct BaseOptions {
   sylph::MecanumGeometry geometry;
-  double wheel_speed_limit_radps = 15.0;          ///< > 0
-  double wheel_acceleration_limit_radps2 = 40.0;  ///< > 0
-  double wheel_lag_s = 0.08;          ///< time constant of the wheel speed controllers, >= 0
-  double command_latency_s = 0.02;    ///< from a command's arrival to its effect, >= 0
-  double command_timeout_s = 0.1;     ///< the base latches a command for this long, > 0
-  double command_resolution = 0.001;  ///< step of a command [m/s, rad/s], 0 for none, >= 0
-  double wheel_scale_error = 0.01;    ///< standard deviation of a wheel's constant gain, 0 ... 0.2
-  double speed_noise = 0.02;          ///< standard deviation relative to the speed, 0 ... 0.5
-  double slip = 0.02;                 ///< mean share of a wheel's turn that is lost, 0 ... 0.5
-  double slip_noise = 0.02;           ///< standard deviation of that share, 0 ... 0.5
-  double lateral_slip = 0.04;         ///< share of a sideways motion that is lost, 0 ... 0.5
-  double noise_correlation_s = 0.2;   ///< time over which speed and slip noise persist, > 0
+  double wheel_speed_limit_radps = 15.0;
+  double wheel_acceleration_limit_radps2 = 40.0;
+  double wheel_lag_s = 0.08;
+  double command_latency_s = 0.02;
+  double command_timeout_s = 0.1;
+  double command_resolution = 0.001;
+  double wheel_scale_error = 0.01;
+  double speed_noise = 0.02;
+  double slip = 0.02;
+  double slip_noise = 0.02;
+  double lateral_slip = 0.04;
+  double noise_correlation_s = 0.2;
 };
+
+/// Shows each number with its bounds and meaning.
+void visitNumbers(BaseOptions& options, const NumberVisitor& visit);
 
 /// @throws std::invalid_argument naming the member, its value and its bound
 void requireValid(const BaseOptions& options);

@@ -8,6 +8,7 @@
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_natnet/udp_socket.hpp"
 #include "sylph_natnet/version.hpp"
+#include "sylph_ros/parameter_reader.hpp"
 #include "sylph_sim/conversions.hpp"
 #include "sylph_sim/simulation.hpp"
 
@@ -15,28 +16,28 @@ namespace sylph_sim {
 
 /// How frames travel to the bridge.
 struct NatNetOptions {
-  sylph_natnet::Version version{4, 1};                ///< bitstream
-  sylph_natnet::Ipv4Address address{{127, 0, 0, 1}};  ///< of the interface to serve on
-  int command_port = 1510;                            ///< 0 ... 65535, 0: any free one
-  int data_port = 1511;                               ///< 0 ... 65535, 0: any free one
-  bool multicast = false;  ///< to the group, else to each client by itself
+  sylph_natnet::Version version{4, 1};
+  sylph_natnet::Ipv4Address address{{127, 0, 0, 1}};
+  int command_port = 1510;
+  int data_port = 1511;
+  bool multicast = false;
   sylph_natnet::Ipv4Address multicast_group{{239, 255, 42, 99}};
   UpAxis up_axis = UpAxis::Z;
-  double body_height_m = 0.12;  ///< of the rigid bodies above the floor
+  double body_height_m = 0.12;
 };
 
-/// The parameters of the simulator, as config/sim.yaml ships them.
+/// The parameters of the simulator.
 struct Options {
   SimulationOptions simulation;
   NatNetOptions natnet;
-  double clock_period_s = 0.01;             ///< simulated time between two /clock messages, > 0
-  double clock_wall_rate_limit_hz = 400.0;  ///< /clock messages a wall second at most, > 0
-  double truth_rate_hz = 20.0;              ///< a simulated second, > 0
+  double clock_period_s = 0.01;
+  double clock_wall_rate_limit_hz = 400.0;
+  double truth_rate_hz = 20.0;
 };
 
-/// @throws std::runtime_error or std::invalid_argument naming the parameter, its value and what is
-/// allowed
-Options loadOptions(const ros::NodeHandle& private_nh);
+/// Meaning and bounds of each.
+/// @throws std::runtime_error naming the parameter, its value and what is allowed
+Options readOptions(sylph_ros::ParameterReader& reader);
 
 /// The fault script, parameter `faults`: a list of {kind, robots, at_s, duration_s, value}, of
 /// which only `kind` must be given.

@@ -17,12 +17,15 @@ namespace sylph_sim {
 
 /// Everything about the simulated lab that the experiment does not say.
 struct SimulationOptions {
-  double step_rate_hz = 200.0;    ///< steps a simulated second, > 0
-  double start_offset_m = 0.004;  ///< robots start this far off their cell's centre at most, >= 0
-  double start_yaw_offset_rad = 0.02;  ///< and turned by this much at most, >= 0
+  double step_rate_hz = 200.0;
+  double start_offset_m = 0.004;
+  double start_yaw_offset_rad = 0.02;
   BaseOptions base;
   CameraOptions cameras;
 };
+
+/// Shows each number with its bounds and meaning, without those of base and cameras.
+void visitNumbers(SimulationOptions& options, const NumberVisitor& visit);
 
 /// @throws std::invalid_argument naming the member, its value and its bound
 void requireValid(const SimulationOptions& options);
