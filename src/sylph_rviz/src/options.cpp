@@ -1,21 +1,20 @@
 #include "sylph_rviz/options.hpp"
 
-#include <limits>
-
-#include "sylph_ros/parameters.hpp"
-
 namespace sylph_rviz {
 
-Options loadOptions(const ros::NodeHandle& private_nh) {
+Options readOptions(sylph_ros::ParameterReader& reader) {
   Options options;
-  sylph_ros::requireKnown(private_nh, {"rate_hz", "lifetime_s", "pose_timeout_s"});
-  sylph_ros::read(private_nh, "rate_hz", options.rate_hz);
-  sylph_ros::read(private_nh, "lifetime_s", options.lifetime_s);
-  sylph_ros::read(private_nh, "pose_timeout_s", options.pose_timeout_s);
-  sylph_ros::requireInRange(private_nh, "rate_hz", options.rate_hz, 1.0, 60.0);
-  sylph_ros::requireInRange(private_nh, "lifetime_s", options.lifetime_s, 1.0 / options.rate_hz,
-                            std::numeric_limits<double>::max());
-  sylph_ros::requirePositive(private_nh, "pose_timeout_s", options.pose_timeout_s);
+  const sylph::Range positive = sylph::Range::positive();
+  reader.read("rate_hz", options.rate_hz, {1.0, 60.0},
+              "how often a layer that is looked at is sent");
+  reader.read("lifetime_s", options.lifetime_s, positive,
+              "after this long without a message markers vanish; longer than 1 / `rate_hz`");
+  reader.read("pose_timeout_s", options.pose_timeout_s, positive,
+              "a robot whose pose is so much older than the newest input is drawn faint");
+  if (options.lifetime_s < 1.0 / options.rate_hz) {
+    throw reader.error("lifetime_s", "must be at least 1 / rate_hz = " +
+                                         sylph::shortNumber(1.0 / options.rate_hz));
+  }
   return options;
 }
 
