@@ -46,23 +46,23 @@ std::chrono::steady_clock::duration seconds(double value) {
 
 }  // namespace
 
-ClientOptions loadClientOptions(const ros::NodeHandle& private_nh) {
+ClientOptions readClientOptions(sylph_ros::ParameterReader& reader) {
   ClientOptions options;
-  sylph_ros::read(private_nh, "exit_when_done", options.exit_when_done);
-  sylph_ros::read(private_nh, "start_timeout_s", options.start_timeout_s);
-  sylph_ros::read(private_nh, "progress_period_s", options.progress_period_s);
-  sylph_ros::read(private_nh, "report_wait_s", options.report_wait_s);
-  sylph_ros::requirePositive(private_nh, "start_timeout_s", options.start_timeout_s);
-  sylph_ros::requirePositive(private_nh, "progress_period_s", options.progress_period_s);
-  sylph_ros::requirePositive(private_nh, "report_wait_s", options.report_wait_s);
-  sylph_ros::requireKnown(
-      private_nh, {"exit_when_done", "start_timeout_s", "progress_period_s", "report_wait_s"});
+  const sylph::Range positive = sylph::Range::positive();
+  reader.read("exit_when_done", options.exit_when_done,
+              "false: keeps running after the result, so that what was launched beside it stays");
+  reader.read("start_timeout_s", options.start_timeout_s, positive,
+              "wall time that it waits for the planner and for each robot's pose");
+  reader.read("progress_period_s", options.progress_period_s, positive,
+              "wall time between two progress lines when nothing changes");
+  reader.read("report_wait_s", options.report_wait_s, positive,
+              "wall time that it waits for `result.yaml`");
   return options;
 }
 
 MissionClient::MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
-      options_(loadClientOptions(private_nh)),
+      options_(sylph_ros::readStrictly(private_nh, readClientOptions)),
       experiment_(sylph_ros::loadExperiment(nh)),
       client_(nh_, sylph_ros::kExecuteMissionAction, false),
       diagnostics_subscriber_(

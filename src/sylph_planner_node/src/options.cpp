@@ -1,33 +1,28 @@
 #include "sylph_planner_node/options.hpp"
 
-#include <string>
-#include <utility>
-#include <vector>
-
-#include "sylph_ros/parameters.hpp"
-
 namespace sylph_planner_node {
 
-Options loadOptions(const ros::NodeHandle& private_nh) {
+Options readOptions(sylph_ros::ParameterReader& reader) {
   Options options;
-  const std::vector<std::pair<std::string, double*>> periods = {
-      {"tick_period_s", &options.tick_period_s},
-      {"feedback_period_s", &options.feedback_period_s},
-      {"map_period_s", &options.map_period_s},
-      {"resend_period_s", &options.resend_period_s},
-      {"pose_timeout_s", &options.pose_timeout_s},
-      {"pose_wait_s", &options.pose_wait_s},
-      {"central_wait_s", &options.central_wait_s},
-      {"hold_wait_s", &options.hold_wait_s},
-      {"replanning_time_limit_s", &options.replanning_time_limit_s}};
-  sylph_ros::read(private_nh, "ignore_unseen_robots", options.ignore_unseen_robots);
-  std::vector<std::string> known = {"ignore_unseen_robots"};
-  for (const auto& [name, value] : periods) {
-    sylph_ros::read(private_nh, name, *value);
-    sylph_ros::requirePositive(private_nh, name, *value);
-    known.push_back(name);
-  }
-  sylph_ros::requireKnown(private_nh, known);
+  const auto read = [&](const char* name, double& value, const char* meaning) {
+    reader.read(name, value, sylph::Range::positive(), meaning);
+  };
+  read("tick_period_s", options.tick_period_s, "period of the mission's state machine");
+  read("feedback_period_s", options.feedback_period_s, "period of the action's feedback");
+  read("map_period_s", options.map_period_s, "between two repetitions of the map");
+  read("resend_period_s", options.resend_period_s,
+       "before a plan that did not arrive is sent again");
+  read("pose_timeout_s", options.pose_timeout_s, "a pose that came earlier is stale");
+  read("pose_wait_s", options.pose_wait_s,
+       "wall time that a starting mission waits for good poses");
+  read("central_wait_s", options.central_wait_s, "wall time that it waits for the central node");
+  read("hold_wait_s", options.hold_wait_s,
+       "how long a cancelled mission waits for the robots to hold");
+  read("replanning_time_limit_s", options.replanning_time_limit_s,
+       "wall time for planning around lost robots");
+  reader.read("ignore_unseen_robots", options.ignore_unseen_robots,
+              "plan although a robot without part in the mission is not seen");
+  sylph_ros::readDiagnosticPeriod(reader);
   return options;
 }
 

@@ -34,7 +34,7 @@ MissionLimits limitsOf(const Options& options, double speed) {
 
 PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : nh_(nh),
-      options_(loadOptions(private_nh)),
+      options_(sylph_ros::readStrictly(private_nh, readOptions)),
       lab_(sylph_ros::loadExperiment(nh)),
       weights_(lab_.planning.weights_path),
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),

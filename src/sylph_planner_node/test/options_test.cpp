@@ -15,7 +15,7 @@ namespace {
 
 std::string errorOf(const ros::NodeHandle& nh) {
   try {
-    loadOptions(nh);
+    sylph_ros::readStrictly(nh, readOptions);
   } catch (const std::runtime_error& error) {
     return error.what();
   }
@@ -23,11 +23,12 @@ std::string errorOf(const ros::NodeHandle& nh) {
 }
 
 TEST(OptionsTest, TheShippedFilesHoldTheDefaults) {
-  const Options options = loadOptions(ros::NodeHandle("~planner"));
+  const Options options = sylph_ros::readStrictly(ros::NodeHandle("~planner"), readOptions);
   EXPECT_DOUBLE_EQ(Options().pose_timeout_s, options.pose_timeout_s);
   EXPECT_DOUBLE_EQ(Options().central_wait_s, options.central_wait_s);
   EXPECT_DOUBLE_EQ(Options().replanning_time_limit_s, options.replanning_time_limit_s);
-  const ClientOptions client = loadClientOptions(ros::NodeHandle("~mission"));
+  const ClientOptions client =
+      sylph_ros::readStrictly(ros::NodeHandle("~mission"), readClientOptions);
   EXPECT_EQ(ClientOptions().exit_when_done, client.exit_when_done);
   EXPECT_DOUBLE_EQ(ClientOptions().start_timeout_s, client.start_timeout_s);
 }
@@ -35,11 +36,11 @@ TEST(OptionsTest, TheShippedFilesHoldTheDefaults) {
 TEST(OptionsTest, RefuseWhatIsForbiddenMistypedOrUnknown) {
   const ros::NodeHandle forbidden("~forbidden");
   forbidden.setParam("tick_period_s", -0.1);
-  EXPECT_EQ("parameter /planner_node/forbidden/tick_period_s = -0.100000: must be > 0",
+  EXPECT_EQ("parameter /planner_node/forbidden/tick_period_s = -0.1: must be > 0",
             errorOf(forbidden));
   const ros::NodeHandle mistyped("~mistyped");
   mistyped.setParam("resend_period_s", "soon");
-  EXPECT_EQ("parameter /planner_node/mistyped/resend_period_s: must be a number",
+  EXPECT_EQ("parameter /planner_node/mistyped/resend_period_s = \"soon\": must be a number",
             errorOf(mistyped));
   const ros::NodeHandle unknown("~unknown");
   unknown.setParam("tick_perriod_s", 0.1);

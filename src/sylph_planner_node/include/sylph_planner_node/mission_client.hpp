@@ -14,20 +14,21 @@
 #include <vector>
 
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_ros/parameter_reader.hpp"
 
 namespace sylph_planner_node {
 
 /// Parameters of sylph_mission besides those of sylph_ros::loadExperiment().
 struct ClientOptions {
-  bool exit_when_done = true;     ///< false: keeps running after the result, so that the rest stays
-  double start_timeout_s = 60.0;  ///< wall time for action server and poses to appear [s], > 0
-  double progress_period_s =
-      2.0;                     ///< wall time between progress lines when nothing changes [s], > 0
-  double report_wait_s = 5.0;  ///< wall time for result.yaml to be written [s], > 0
+  bool exit_when_done = true;
+  double start_timeout_s = 60.0;
+  double progress_period_s = 2.0;
+  double report_wait_s = 5.0;
 };
 
-/// @throws std::runtime_error on an unknown, mistyped or forbidden value
-ClientOptions loadClientOptions(const ros::NodeHandle& private_nh);
+/// Meaning and bounds of each.
+/// @throws std::runtime_error on a mistyped or forbidden value
+ClientOptions readClientOptions(sylph_ros::ParameterReader& reader);
 
 /// Sends the mission of an experiment, tells the operator how it goes and how it ended.
 class MissionClient {
