@@ -14,26 +14,39 @@
 
 namespace sylph_adg_central {
 
+SeparationMonitorOptions readSeparationMonitorOptions(sylph_ros::ParameterReader& reader) {
+  SeparationMonitorOptions options;
+  options.limits.limit_m = 0.0;
+  reader.read("limit_m", options.limits.limit_m, sylph::Range::atLeast(0.0),
+              "a smaller gap between two footprints stops all robots; 0: half of what the safety "
+              "margin promises, which it may not exceed");
+  reader.read("confirmations", options.limits.confirmations, {1.0, 100.0},
+              "poses of a robot in a row that have to show it");
+  reader.read("rate_hz", options.rate_hz, sylph::Range::positive(),
+              "how often the state is published");
+  reader.read("pose_timeout_s", options.pose_timeout_s, sylph::Range::positive(),
+              "a pose older than this is called stale in the state");
+  return options;
+}
+
 SeparationMonitorOptions loadSeparationMonitorOptions(const ros::NodeHandle& private_nh,
                                                       const sylph::Experiment& experiment) {
-  sylph_ros::requireKnown(private_nh, {"limit_m", "confirmations", "rate_hz", "pose_timeout_s"});
-  const sylph::SafetyMargin margin = sylph::requireSafetyMargin(experiment);
-  SeparationMonitorOptions options;
-  options.limits = sylph::separationLimits(experiment);
-  double limit_m = 0.0;
-  sylph_ros::read(private_nh, "limit_m", limit_m);
+  sylph_ros::ParameterReader reader(private_nh);
+  SeparationMonitorOptions options = readSeparationMonitorOptions(reader);
+  reader.refuseUnread();
+  const double promised_m = sylph::requireSafetyMargin(experiment).promisedSeparation();
   // Robots that keep to their tolerances come as close as the margin says. Stopping them for that
   // would be a mistake as well.
-  sylph_ros::requireInRange(private_nh, "limit_m", limit_m, 0.0, margin.promisedSeparation());
-  if (limit_m > 0.0) {
-    options.limits.limit_m = limit_m;
+  if (options.limits.limit_m > promised_m) {
+    throw reader.error("limit_m", "must be at most the " + sylph::shortNumber(promised_m) +
+                                      " m that the safety margin promises");
   }
-  sylph_ros::read(private_nh, "confirmations", options.limits.confirmations);
-  sylph_ros::requireInRange(private_nh, "confirmations", options.limits.confirmations, 1, 100);
-  sylph_ros::read(private_nh, "rate_hz", options.rate_hz);
-  sylph_ros::requirePositive(private_nh, "rate_hz", options.rate_hz);
-  sylph_ros::read(private_nh, "pose_timeout_s", options.pose_timeout_s);
-  sylph_ros::requirePositive(private_nh, "pose_timeout_s", options.pose_timeout_s);
+  sylph::SeparationLimits limits = sylph::separationLimits(experiment);
+  limits.confirmations = options.limits.confirmations;
+  if (options.limits.limit_m > 0.0) {
+    limits.limit_m = options.limits.limit_m;
+  }
+  options.limits = limits;
   return options;
 }
 

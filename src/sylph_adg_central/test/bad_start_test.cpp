@@ -54,17 +54,17 @@ TEST(BadStartTest, CentralNodeNamesWhatIsWrong) {
   expectRefusal(node, "", "", "parameter /bad_start/experiment: must be set");
   expectRefusal(node, no_margin, "", "no safety margin: robots stay 5.8 mm apart");
   expectRefusal(node, no_margin, "", "change cell_size_m = 0.27 to at least 0.2897");
-  expectRefusal(node, lab, "_lookahead:=0", "must be in 1");
+  expectRefusal(node, lab, "_lookahead:=0", "must be 1");
   expectRefusal(node, lab, "_silent_after_s:=0.0", "must be > 0");
-  expectRefusal(node, lab, "_lost_after_s:=-1.0", "must be in 0");
+  expectRefusal(node, lab, "_lost_after_s:=-1.0", "must be >= 0");
   expectRefusal(node, lab, "_lookahed:=3", "lookahed: unknown");
 }
 
 TEST(BadStartTest, SeparationMonitorNamesWhatIsWrong) {
   const std::string node = "sylph_separation_monitor";
   expectRefusal(node, "no_margin.yaml", "", "no safety margin");
-  expectRefusal(node, "lab.yaml", "_limit_m:=0.02", "limit_m = 0.020000: must be in 0");
-  expectRefusal(node, "lab.yaml", "_confirmations:=0", "must be in 1");
+  expectRefusal(node, "lab.yaml", "_limit_m:=0.02", "limit_m = 0.02: must be at most the");
+  expectRefusal(node, "lab.yaml", "_confirmations:=0", "must be 1");
   expectRefusal(node, "lab.yaml", "_limit:=0.01", "limit: unknown");
 }
 

@@ -11,6 +11,7 @@
 
 #include "sylph_core/control/separation.hpp"
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_ros/parameter_reader.hpp"
 #include "sylph_ros/steady_clock.hpp"
 
 namespace sylph_adg_central {
@@ -18,9 +19,13 @@ namespace sylph_adg_central {
 /// Settings of the separation monitor.
 struct SeparationMonitorOptions {
   sylph::SeparationLimits limits;
-  double rate_hz = 20.0;        ///< how often the state is published, > 0
-  double pose_timeout_s = 0.5;  ///< a pose older than this is called stale in the state, > 0
+  double rate_hz = 20.0;
+  double pose_timeout_s = 0.5;
 };
+
+/// Parameters of sylph_separation_monitor, with meaning and bounds.
+/// @throws std::runtime_error with one line on a bad parameter
+SeparationMonitorOptions readSeparationMonitorOptions(sylph_ros::ParameterReader& reader);
 
 /// @throws std::runtime_error with one line on a bad or unknown parameter, on a limit that robots
 /// undercut although they keep to their tolerances, and if there is no safety margin
