@@ -1,7 +1,5 @@
 #include "sylph_ros/experiment.hpp"
 
-#include <limits>
-
 #include "sylph_ros/parameters.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -10,8 +8,7 @@ namespace sylph_ros {
 sylph::Experiment loadExperiment(const ros::NodeHandle& suite_nh, const std::string& own_path) {
   sylph::ExperimentOverrides overrides;
   int seed = -1;
-  read(suite_nh, kSeedParameter, seed);
-  requireInRange(suite_nh, kSeedParameter, seed, -1, std::numeric_limits<int>::max());
+  read(suite_nh, kSeedParameter, seed, sylph::Range::atLeast(-1.0));
   if (seed >= 0) {
     overrides.seed = static_cast<std::uint32_t>(seed);
   }

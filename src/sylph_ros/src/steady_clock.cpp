@@ -17,8 +17,7 @@ SteadyClock::SteadyClock(double speed) : speed_(speed) {
 
 SteadyClock SteadyClock::fromParameter(const ros::NodeHandle& suite_nh) {
   double speed = 1.0;
-  read(suite_nh, kSpeedParameter, speed);
-  requirePositive(suite_nh, kSpeedParameter, speed);
+  read(suite_nh, kSpeedParameter, speed, sylph::Range::positive());
   return SteadyClock(speed);
 }
 
