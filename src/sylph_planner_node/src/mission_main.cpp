@@ -7,6 +7,9 @@
 #include "sylph_ros/run_node.hpp"
 
 int main(int argc, char** argv) {
+  if (sylph_ros::printParameters(argc, argv, sylph_planner_node::readClientOptions)) {
+    return EXIT_SUCCESS;
+  }
   sylph_ros::initNode(argc, argv, "sylph_mission");
   try {
     sylph_planner_node::MissionClient client(ros::NodeHandle(), ros::NodeHandle("~"));

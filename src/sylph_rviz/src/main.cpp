@@ -2,5 +2,6 @@
 #include "sylph_rviz/markers_node.hpp"
 
 int main(int argc, char** argv) {
-  return sylph_ros::runNode<sylph_rviz::MarkersNode>(argc, argv, "sylph_markers");
+  return sylph_ros::runNode<sylph_rviz::MarkersNode>(argc, argv, "sylph_markers",
+                                                     sylph_rviz::readOptions);
 }

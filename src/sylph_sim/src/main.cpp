@@ -2,5 +2,5 @@
 #include "sylph_sim/sim_node.hpp"
 
 int main(int argc, char** argv) {
-  return sylph_ros::runNode<sylph_sim::SimNode>(argc, argv, "sim");
+  return sylph_ros::runNode<sylph_sim::SimNode>(argc, argv, "sim", sylph_sim::readOptions);
 }
