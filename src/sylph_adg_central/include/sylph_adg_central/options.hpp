@@ -13,7 +13,7 @@ namespace sylph_adg_central {
 /// Settings of the central node. Times are seconds of the lab, which pass faster in a simulation.
 struct CentralOptions {
   sylph::ExecutionLimits limits;
-  double heartbeat_period_s = 0.1;
+  double heartbeat_period_s = 0.1;  ///< AdgState at least so often
 };
 
 /// Parameters of sylph_adg_central, with meaning and bounds.

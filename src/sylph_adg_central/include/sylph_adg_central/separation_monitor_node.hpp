@@ -19,8 +19,8 @@ namespace sylph_adg_central {
 /// Settings of the separation monitor.
 struct SeparationMonitorOptions {
   sylph::SeparationLimits limits;
-  double rate_hz = 20.0;
-  double pose_timeout_s = 0.5;
+  double rate_hz = 20.0;        ///< how often the state is published
+  double pose_timeout_s = 0.5;  ///< a pose older than this is called stale in the state
 };
 
 /// Parameters of sylph_separation_monitor, with meaning and bounds.

@@ -20,10 +20,10 @@ namespace sylph_planner_node {
 
 /// Parameters of sylph_mission besides those of sylph_ros::loadExperiment().
 struct ClientOptions {
-  bool exit_when_done = true;
-  double start_timeout_s = 60.0;
-  double progress_period_s = 2.0;
-  double report_wait_s = 5.0;
+  bool exit_when_done = true;     ///< false: keeps running after the result, so that the rest stays
+  double start_timeout_s = 60.0;  ///< wall time for action server and poses to appear
+  double progress_period_s = 2.0;  ///< wall time between progress lines when nothing changes
+  double report_wait_s = 5.0;      ///< wall time for result.yaml to be written
 };
 
 /// Meaning and bounds of each.

@@ -17,7 +17,7 @@ struct Options {
   std::string experiment;
   double control_rate_hz = 50.0;
   double report_rate_hz = 10.0;
-  double shutdown_s = 0.5;
+  double shutdown_s = 0.5;  ///< zeros sent before the node goes down
   sylph::RobotControllerOptions controller;
   sylph::Grid grid;
   double cell_size_m = 0.0;

@@ -6,9 +6,9 @@ namespace sylph_rviz {
 
 /// Parameters of sylph_markers, beside the experiment's (sylph_ros::loadExperiment()).
 struct Options {
-  double rate_hz = 10.0;
-  double lifetime_s = 2.0;
-  double pose_timeout_s = 0.5;
+  double rate_hz = 10.0;        ///< how often a layer that is looked at is sent
+  double lifetime_s = 2.0;      ///< after this long without a message markers vanish
+  double pose_timeout_s = 0.5;  ///< a pose so much older than the newest input is faint
 };
 
 /// Meaning and bounds of each.

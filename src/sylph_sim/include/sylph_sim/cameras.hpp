@@ -13,14 +13,14 @@ namespace sylph_sim {
 
 /// How the simulated cameras see. Frames leave in the order of their capture.
 struct CameraOptions {
-  double rate_hz = 120.0;
-  double latency_s = 0.008;
-  double position_noise_m = 0.0002;
-  double yaw_noise_rad = 0.001;
-  double body_offset_m = 0.001;
-  double body_yaw_offset_rad = 0.003;
-  double occlusion_probability = 0.0005;
-  double frame_loss_probability = 0.0005;
+  double rate_hz = 120.0;                  ///< frames a simulated second
+  double latency_s = 0.008;                ///< from capture to sending
+  double position_noise_m = 0.0002;        ///< standard deviation an axis and frame
+  double yaw_noise_rad = 0.001;            ///< standard deviation a frame
+  double body_offset_m = 0.001;            ///< standard deviation of a body's constant offset
+  double body_yaw_offset_rad = 0.003;      ///< standard deviation of its constant rotation
+  double occlusion_probability = 0.0005;   ///< of a body not being tracked in a frame
+  double frame_loss_probability = 0.0005;  ///< of a frame never being sent
 };
 
 /// Shows each number with its bounds and meaning.

@@ -15,16 +15,16 @@ struct BaseOptions {
   sylph::MecanumGeometry geometry;
   double wheel_speed_limit_radps = 15.0;
   double wheel_acceleration_limit_radps2 = 40.0;
-  double wheel_lag_s = 0.08;
-  double command_latency_s = 0.02;
-  double command_timeout_s = 0.1;
-  double command_resolution = 0.001;
-  double wheel_scale_error = 0.01;
-  double speed_noise = 0.02;
-  double slip = 0.02;
-  double slip_noise = 0.02;
-  double lateral_slip = 0.04;
-  double noise_correlation_s = 0.2;
+  double wheel_lag_s = 0.08;          ///< time constant of the wheel speed controllers
+  double command_latency_s = 0.02;    ///< from a command's arrival to its effect
+  double command_timeout_s = 0.1;     ///< the base latches a command for this long
+  double command_resolution = 0.001;  ///< step of a command [m/s, rad/s], 0 for none
+  double wheel_scale_error = 0.01;    ///< standard deviation of a wheel's constant gain
+  double speed_noise = 0.02;          ///< standard deviation relative to the speed
+  double slip = 0.02;                 ///< mean share of a wheel's turn that is lost
+  double slip_noise = 0.02;           ///< standard deviation of that share
+  double lateral_slip = 0.04;         ///< share of a sideways motion that is lost
+  double noise_correlation_s = 0.2;   ///< time over which speed and slip noise persist
 };
 
 /// Shows each number with its bounds and meaning.

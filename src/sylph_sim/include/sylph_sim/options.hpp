@@ -18,21 +18,21 @@ namespace sylph_sim {
 struct NatNetOptions {
   sylph_natnet::Version version{4, 1};
   sylph_natnet::Ipv4Address address{{127, 0, 0, 1}};
-  int command_port = 1510;
-  int data_port = 1511;
-  bool multicast = false;
+  int command_port = 1510;  ///< 0: any free one
+  int data_port = 1511;     ///< 0: any free one
+  bool multicast = false;   ///< to the group, else to each client by itself
   sylph_natnet::Ipv4Address multicast_group{{239, 255, 42, 99}};
   UpAxis up_axis = UpAxis::Z;
-  double body_height_m = 0.12;
+  double body_height_m = 0.12;  ///< of the rigid bodies above the floor
 };
 
 /// The parameters of the simulator.
 struct Options {
   SimulationOptions simulation;
   NatNetOptions natnet;
-  double clock_period_s = 0.01;
-  double clock_wall_rate_limit_hz = 400.0;
-  double truth_rate_hz = 20.0;
+  double clock_period_s = 0.01;             ///< simulated time between two /clock messages
+  double clock_wall_rate_limit_hz = 400.0;  ///< /clock messages a wall second at most
+  double truth_rate_hz = 20.0;              ///< a simulated second
 };
 
 /// Meaning and bounds of each.

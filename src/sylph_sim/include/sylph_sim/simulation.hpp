@@ -17,9 +17,9 @@ namespace sylph_sim {
 
 /// Everything about the simulated lab that the experiment does not say.
 struct SimulationOptions {
-  double step_rate_hz = 200.0;
-  double start_offset_m = 0.004;
-  double start_yaw_offset_rad = 0.02;
+  double step_rate_hz = 200.0;         ///< steps a simulated second
+  double start_offset_m = 0.004;       ///< robots start this far off their cell's centre at most
+  double start_yaw_offset_rad = 0.02;  ///< and turned by this much at most
   BaseOptions base;
   CameraOptions cameras;
 };
