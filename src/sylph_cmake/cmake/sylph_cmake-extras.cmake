@@ -63,9 +63,9 @@ endfunction()
 # target sylph::${PROJECT_NAME} and its version:
 #   sylph_install_library(PUBLIC_PACKAGES "Eigen3" ... PRIVATE_PACKAGES "OpenCV COMPONENTS core" ...)
 # Each is an argument list of find_dependency(): the public ones are in the headers, of the private ones a
-# user knows nothing unless the library is static.
+# user knows nothing unless the library is static. Folders of headers in HEADERS_LEFT_OUT stay behind.
 function(sylph_install_library)
-  cmake_parse_arguments(arg "" "" "PUBLIC_PACKAGES;PRIVATE_PACKAGES" ${ARGN})
+  cmake_parse_arguments(arg "" "" "PUBLIC_PACKAGES;PRIVATE_PACKAGES;HEADERS_LEFT_OUT" ${ARGN})
   include(CMakePackageConfigHelpers)
   include(GNUInstallDirs)
   set(folder ${CMAKE_INSTALL_LIBDIR}/cmake/${PROJECT_NAME})
@@ -89,7 +89,11 @@ function(sylph_install_library)
     ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR}
     LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
     INCLUDES DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
-  install(DIRECTORY include/${PROJECT_NAME} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+  set(left_out "")
+  foreach(headers IN LISTS arg_HEADERS_LEFT_OUT)
+    list(APPEND left_out PATTERN ${headers} EXCLUDE)
+  endforeach()
+  install(DIRECTORY include/${PROJECT_NAME} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} ${left_out})
   install(EXPORT ${PROJECT_NAME}-targets NAMESPACE sylph:: DESTINATION ${folder})
   install(FILES
     ${CMAKE_CURRENT_BINARY_DIR}/${PROJECT_NAME}-config.cmake
