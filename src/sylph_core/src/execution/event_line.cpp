@@ -171,8 +171,8 @@ What whatFromJson(const json& object, std::uint32_t plan_id,
     return event::Done{robotOf(object, names), object.at("sequence").get<int>()};
   }
   if (name == "condition") {
-    return event::Condition{robotOf(object, names),
-                            wordOf<RobotCondition>(object, "condition"), reason()};
+    return event::Condition{robotOf(object, names), wordOf<RobotCondition>(object, "condition"),
+                            reason()};
   }
   if (name == "lost") {
     return event::Lost{robotOf(object, names), reason()};
