@@ -122,6 +122,17 @@ class LaunchFilesTest(unittest.TestCase):
             self.assertEqual(weights, value_of(config, "/sylph/weights"))
             self.assertEqual(os.path.join(self.folder, "r"), value_of(config, "/sylph/run_folder"))
 
+    def test_the_missions_exit_status_is_kept(self):
+        status = os.path.join(self.folder, "the status")
+        program = roslib.packages.find_node(PACKAGE, "keep_exit_status")[0]
+        for command, expected in ((["sh", "-c", "exit 3"], 3), (["true"], 0), (["sh", "-c", "kill -9 $$"], 137)):
+            self.assertEqual(expected, subprocess.run([program, status] + command, check=False).returncode)
+            with open(status, encoding="utf-8") as stream:
+                self.assertEqual(str(expected), stream.read().strip())
+        self.assertEqual(3, subprocess.run([program, "", "sh", "-c", "exit 3"], check=False).returncode)
+        mission = [node for node in load(LAB, mission_status=status).nodes if node.name == "sylph_mission"]
+        self.assertIn("keep_exit_status '{}'".format(status), mission[0].launch_prefix)
+
     def test_refuses_the_folder_of_a_run_that_is_over(self):
         folder = os.path.join(self.folder, "run")
         os.mkdir(folder)
