@@ -4,6 +4,8 @@
 #include <cmath>
 #include <cstdio>
 
+#include "sylph_core/geometry/segment.hpp"
+
 namespace sylph_rehearsal {
 namespace {
 
@@ -28,16 +30,6 @@ double distanceOutside(const sylph::CellFrame& frame, const sylph::Cell& cell,
   const double half_m = frame.cellSize() / 2.0;
   return std::max(
       {0.0, std::abs(point.x - center.x) - half_m, std::abs(point.y - center.y) - half_m});
-}
-
-double distanceToSegment(const sylph::Point& point, const sylph::Point& a, const sylph::Point& b) {
-  const double dx = b.x - a.x;
-  const double dy = b.y - a.y;
-  const double length2 = dx * dx + dy * dy;
-  const double share =
-      length2 > 0.0 ? std::clamp(((point.x - a.x) * dx + (point.y - a.y) * dy) / length2, 0.0, 1.0)
-                    : 0.0;
-  return std::hypot(point.x - a.x - share * dx, point.y - a.y - share * dy);
 }
 
 }  // namespace

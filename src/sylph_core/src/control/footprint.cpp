@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "sylph_core/geometry/pose2d.hpp"
+#include "sylph_core/geometry/segment.hpp"
 
 namespace sylph {
 namespace {
@@ -21,15 +22,6 @@ bool isSeparatedByAnAxisOf(double yaw_rad, const Corners& a, const Corners& b) {
     const auto [b_low, b_high] = std::minmax_element(b.begin(), b.end(), less);
     return along(*a_high) < along(*b_low) || along(*b_high) < along(*a_low);
   });
-}
-
-double distanceToSegment(const Point& point, const Point& from, const Point& to) {
-  const Vector2 segment = displacement(from, to);
-  const Vector2 offset = displacement(from, point);
-  const double length_squared = dot(segment, segment);
-  const double fraction =
-      length_squared > 0.0 ? std::clamp(dot(offset, segment) / length_squared, 0.0, 1.0) : 0.0;
-  return norm(offset - fraction * segment);
 }
 
 /// Smallest distance of a corner of `points` and an edge of `polygon`.
