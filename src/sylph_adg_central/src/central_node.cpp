@@ -28,14 +28,6 @@ constexpr std::uint32_t kQueue = 1000;
 /// The folder that this run has taken. The launch file empties it, so that each run begins anew.
 constexpr char kTakenFolderParameter[] = "run_folder_taken";
 
-std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
-  std::vector<std::string> names;
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    names.push_back(robot.name);
-  }
-  return names;
-}
-
 /// The folder given, or a new one that a restarted node finds again.
 std::string runFolderPath(const ros::NodeHandle& nh, const sylph::Experiment& experiment) {
   std::string path;

@@ -27,14 +27,6 @@ unsigned char levelOf(Severity severity) {
   return DiagnosticStatus::ERROR;
 }
 
-std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
-  std::vector<std::string> names;
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    names.push_back(robot.name);
-  }
-  return names;
-}
-
 }  // namespace
 
 MocapBridgeNode::MocapBridgeNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)

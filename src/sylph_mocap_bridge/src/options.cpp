@@ -108,12 +108,9 @@ Options readOptions(ParameterReader& reader, const std::vector<std::string>& rob
 }
 
 Options loadOptions(const ros::NodeHandle& private_nh, const sylph::Experiment& experiment) {
-  std::vector<std::string> robots;
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    robots.push_back(robot.name);
-  }
-  return sylph_ros::readStrictly(
-      private_nh, [&](ParameterReader& reader) { return readOptions(reader, robots); });
+  return sylph_ros::readStrictly(private_nh, [&](ParameterReader& reader) {
+    return readOptions(reader, namesOf(experiment));
+  });
 }
 
 }  // namespace sylph_mocap_bridge

@@ -16,14 +16,6 @@
 namespace sylph_planner_node {
 namespace {
 
-std::vector<std::string> namesOf(const sylph::Experiment& lab) {
-  std::vector<std::string> names;
-  for (const sylph::RobotSpec& robot : lab.robots) {
-    names.push_back(robot.name);
-  }
-  return names;
-}
-
 /// Limits by the clock that the lifecycle is told; those of the wall pass faster there.
 MissionLimits limitsOf(const Options& options, double speed) {
   return {options.resend_period_s, options.pose_wait_s * speed,  options.central_wait_s * speed,

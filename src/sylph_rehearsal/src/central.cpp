@@ -17,11 +17,8 @@ Central::Central(const sylph::Experiment& experiment, const sylph::ExecutionLimi
       limits_(limits),
       heartbeat_period_s_(heartbeat_period_s),
       queue_(&queue),
-      ports_(std::move(ports)) {
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    names_.push_back(robot.name);
-  }
-}
+      ports_(std::move(ports)),
+      names_(namesOf(experiment)) {}
 
 void Central::start() {
   ++life_;

@@ -24,14 +24,6 @@ constexpr std::uint32_t kPhasePart = 1000;
 constexpr std::uint32_t kLinkPart = 2000;
 constexpr std::uint32_t kLinksOfRobot = 8;
 
-std::vector<std::string> namesOf(const sylph::Experiment& experiment) {
-  std::vector<std::string> names;
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    names.push_back(robot.name);
-  }
-  return names;
-}
-
 sylph::RobotControllerOptions controllerOptions(const sylph::Experiment& experiment,
                                                 const RehearsalOptions& options) {
   sylph::RobotControllerOptions controller = controllerOptionsFor(experiment.execution);

@@ -153,9 +153,7 @@ void MissionPlanner::plan() {
   plan_.planner = planner_->name();
   plan_.planning_s = planning_s_;
   plan_.goals = instance.goals;
-  for (const sylph::RobotSpec& robot : experiment_->robots) {
-    plan_.robots.push_back(robot.name);
-  }
+  plan_.robots = namesOf(*experiment_);
   plan_.social.resize(plan_.steps());
   stage_ = Stage::Planning;
   queue_->after(planning_s_, [this, life = life_] {

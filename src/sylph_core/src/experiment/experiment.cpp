@@ -237,6 +237,14 @@ CellFrame cellFrameOf(const Experiment& experiment) {
   return {experiment.grid, experiment.cell_size_m, experiment.corner};
 }
 
+std::vector<std::string> namesOf(const Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const RobotSpec& robot : experiment.robots) {
+    names.push_back(robot.name);
+  }
+  return names;
+}
+
 Instance toInstance(const Experiment& experiment) {
   Instance instance;
   instance.grid = experiment.grid;

@@ -97,6 +97,9 @@ Grid loadMapFor(const Experiment& experiment, const std::string& path);
 /// Where the experiment's cells lie in frame `map`.
 CellFrame cellFrameOf(const Experiment& experiment);
 
+/// Names of its robots, in their order.
+std::vector<std::string> namesOf(const Experiment& experiment);
+
 /// Starts and goals as a planning instance without rotations.
 Instance toInstance(const Experiment& experiment);
 
