@@ -1,13 +1,13 @@
 #include "sylph_planner_node/mission_messages.hpp"
 
+#include "sylph_ros/same_constants.hpp"
+
 namespace sylph_planner_node {
 namespace {
 
 using sylph_msgs::ExecuteMissionResult;
+using sylph_ros::isSame;
 
-constexpr bool isSame(MissionOutcome outcome, std::uint8_t constant) {
-  return static_cast<std::uint8_t>(outcome) == constant;
-}
 static_assert(isSame(MissionOutcome::Success, ExecuteMissionResult::SUCCESS) &&
               isSame(MissionOutcome::BadRequest, ExecuteMissionResult::BAD_REQUEST) &&
               isSame(MissionOutcome::NoPose, ExecuteMissionResult::NO_POSE) &&

@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "same_constants.hpp"
 #include "sylph_ros/conversions.hpp"
+#include "sylph_ros/same_constants.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_ros {
