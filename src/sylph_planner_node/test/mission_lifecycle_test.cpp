@@ -25,15 +25,6 @@ MissionLimits limits() {
   return limits;
 }
 
-RobotPoses posesInStarts() {
-  const Mission mission = smallMission();
-  RobotPoses poses;
-  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
-    poses[mission.robots[i]] = {pose2dIn(mission, smallStarts()[i]), {}};
-  }
-  return poses;
-}
-
 /// The small lab; the clock stands still unless a test moves it, and each command that was given is
 /// kept.
 class MissionLifecycleTest : public testing::Test {

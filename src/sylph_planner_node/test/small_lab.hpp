@@ -8,6 +8,7 @@
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 #include "sylph_planner_node/mission.hpp"
+#include "sylph_planner_node/start_cells.hpp"
 
 /// The lab of test/data/small_lab.yaml, and what a test says about it.
 namespace sylph_planner_node {
@@ -44,6 +45,16 @@ inline sylph::Configuration smallStarts() {
 inline sylph::Pose2d pose2dIn(const Mission& mission, const sylph::Cell& cell) {
   const sylph::Point point = sylph::CellFrame(mission.grid, mission.cell_size_m).toPoint(cell);
   return {point.x, point.y, 0.0};
+}
+
+/// All robots of the small lab in the middle of their starts.
+inline RobotPoses posesInStarts() {
+  const Mission mission = smallMission();
+  RobotPoses poses;
+  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
+    poses[mission.robots[i]] = {pose2dIn(mission, smallStarts()[i]), {}};
+  }
+  return poses;
 }
 
 inline geometry_msgs::PoseStamped poseIn(const Mission& mission, const sylph::Cell& cell) {

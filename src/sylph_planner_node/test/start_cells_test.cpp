@@ -10,15 +10,6 @@
 namespace sylph_planner_node {
 namespace {
 
-RobotPoses posesInStarts() {
-  const Mission mission = smallMission();
-  RobotPoses poses;
-  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
-    poses[mission.robots[i]] = {pose2dIn(mission, smallStarts()[i]), {}};
-  }
-  return poses;
-}
-
 std::string failureWith(const RobotPoses& poses) {
   return failureOf([&] { startCells(smallMission(), poses); });
 }
