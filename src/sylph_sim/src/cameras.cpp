@@ -36,8 +36,7 @@ void visitNumbers(CameraOptions& options, const NumberVisitor& visit) {
 }
 
 void requireValid(const CameraOptions& options) {
-  CameraOptions checked = options;
-  visitNumbers(checked, requireWithin);
+  requireNumbersWithin(options);
 }
 
 Cameras::Cameras(const CameraOptions& options, const std::vector<sylph::Pose2d>& poses,

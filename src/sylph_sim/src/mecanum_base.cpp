@@ -54,8 +54,7 @@ void visitNumbers(BaseOptions& options, const NumberVisitor& visit) {
 }
 
 void requireValid(const BaseOptions& options) {
-  BaseOptions checked = options;
-  visitNumbers(checked, requireWithin);
+  requireNumbersWithin(options);
 }
 
 sylph::Pose2d integrate(const sylph::Pose2d& pose, const sylph::Twist2d& twist_robot,

@@ -32,8 +32,7 @@ void visitNumbers(SimulationOptions& options, const NumberVisitor& visit) {
 }
 
 void requireValid(const SimulationOptions& options) {
-  SimulationOptions checked = options;
-  visitNumbers(checked, requireWithin);
+  requireNumbersWithin(options);
   requireValid(options.base);
   requireValid(options.cameras);
 }

@@ -16,4 +16,11 @@ using NumberVisitor = std::function<void(const std::string& name, double& value,
 void requireWithin(const std::string& name, double value, const sylph::Range& range,
                    const std::string& meaning = "");
 
+/// Checks each number that visitNumbers() shows of some options.
+/// @throws std::invalid_argument as requireWithin()
+template <typename Options>
+void requireNumbersWithin(Options options) {
+  visitNumbers(options, requireWithin);
+}
+
 }  // namespace sylph_sim
