@@ -10,17 +10,18 @@ Options readOptions(sylph_ros::ParameterReader& reader) {
   read("tick_period_s", options.tick_period_s, "period of the mission's state machine");
   read("feedback_period_s", options.feedback_period_s, "period of the action's feedback");
   read("map_period_s", options.map_period_s, "between two repetitions of the map");
-  read("resend_period_s", options.resend_period_s,
+  read("resend_period_s", options.limits.resend_period_s,
        "before a plan that did not arrive is sent again");
   read("pose_timeout_s", options.pose_timeout_s, "a pose that came earlier is stale");
-  read("pose_wait_s", options.pose_wait_s,
+  read("pose_wait_s", options.limits.pose_wait_s,
        "wall time that a starting mission waits for good poses");
-  read("central_wait_s", options.central_wait_s, "wall time that it waits for the central node");
-  read("hold_wait_s", options.hold_wait_s,
+  read("central_wait_s", options.limits.central_wait_s,
+       "wall time that it waits for the central node");
+  read("hold_wait_s", options.limits.hold_wait_s,
        "how long a cancelled mission waits for the robots to hold");
-  read("replanning_time_limit_s", options.replanning_time_limit_s,
+  read("replanning_time_limit_s", options.limits.replanning_time_limit_s,
        "wall time for planning around lost robots");
-  reader.read("ignore_unseen_robots", options.ignore_unseen_robots,
+  reader.read("ignore_unseen_robots", options.limits.ignores_unseen_robots,
               "plan although a robot without part in the mission is not seen");
   sylph_ros::readDiagnosticPeriod(reader);
   return options;

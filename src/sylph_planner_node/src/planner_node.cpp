@@ -18,8 +18,10 @@ namespace {
 
 /// Limits by the clock that the lifecycle is told; those of the wall pass faster there.
 MissionLimits limitsOf(const Options& options, double speed) {
-  return {options.resend_period_s, options.pose_wait_s * speed,  options.central_wait_s * speed,
-          options.hold_wait_s,     options.ignore_unseen_robots, options.replanning_time_limit_s};
+  MissionLimits limits = options.limits;
+  limits.pose_wait_s *= speed;
+  limits.central_wait_s *= speed;
+  return limits;
 }
 
 }  // namespace

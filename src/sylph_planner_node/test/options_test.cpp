@@ -25,8 +25,9 @@ std::string errorOf(const ros::NodeHandle& nh) {
 TEST(OptionsTest, TheShippedFilesHoldTheDefaults) {
   const Options options = sylph_ros::readStrictly(ros::NodeHandle("~planner"), readOptions);
   EXPECT_DOUBLE_EQ(Options().pose_timeout_s, options.pose_timeout_s);
-  EXPECT_DOUBLE_EQ(Options().central_wait_s, options.central_wait_s);
-  EXPECT_DOUBLE_EQ(Options().replanning_time_limit_s, options.replanning_time_limit_s);
+  EXPECT_DOUBLE_EQ(Options().limits.central_wait_s, options.limits.central_wait_s);
+  EXPECT_DOUBLE_EQ(Options().limits.replanning_time_limit_s,
+                   options.limits.replanning_time_limit_s);
   const ClientOptions client =
       sylph_ros::readStrictly(ros::NodeHandle("~mission"), readClientOptions);
   EXPECT_EQ(ClientOptions().exit_when_done, client.exit_when_done);
