@@ -1,18 +1,15 @@
 // sylph_rehearse: runs an experiment in the simulated lab, in one process and without ROS.
 
 #include <CLI/CLI.hpp>
-#include <atomic>
 #include <cstdint>
 #include <cstdlib>
-#include <exception>
 #include <iostream>
-#include <mutex>
 #include <random>
 #include <string>
-#include <thread>
 #include <vector>
 
 #include "rehearsal_report.hpp"
+#include "sylph_core/command/parallel_for.hpp"
 #include "sylph_core/command/progress_bar.hpp"
 #include "sylph_core/command/run_command.hpp"
 #include "sylph_core/experiment/experiment.hpp"
@@ -58,41 +55,20 @@ std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::See
   const sylph::Experiment first = sylph::loadExperiment(options.experiment_path);
   const auto policy = sylph::loadPolicyFor(first.planning.planner, first.planning.weights_path);
   std::vector<Rehearsal> runs(seeds.count());
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;  // guards what follows
-  std::size_t done = 0;
   sylph::ProgressBar progress(runs.size());
-  std::exception_ptr error;
-  const auto work = [&] {
-    for (std::size_t run = next++; run < runs.size(); run = next++) {
-      try {
+  sylph::parallelFor(
+      runs.size(), options.jobs,
+      [&](std::size_t run) {
         const sylph::Experiment experiment = sylph_rehearsal::experimentOf(
             options.experiment_path, seeds.first + static_cast<std::uint32_t>(run), options.robots);
         runs[run] =
             sylph_rehearsal::rehearse(experiment, {}, policy, faultsOf(options, experiment));
-      } catch (...) {
-        const std::lock_guard lock(mutex);
-        error = std::current_exception();
-        next = runs.size();
-        return;
-      }
-      const std::lock_guard lock(mutex);
-      if (runs.size() > 1) {
-        progress.show(++done);
-      }
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int job = 1; job < options.jobs; ++job) {
-    threads.emplace_back(work);
-  }
-  work();
-  for (std::thread& thread : threads) {
-    thread.join();
-  }
-  if (error) {
-    std::rethrow_exception(error);
-  }
+      },
+      [&](std::size_t, std::size_t done) {
+        if (runs.size() > 1) {
+          progress.show(done);
+        }
+      });
   return runs;
 }
 

@@ -1,10 +1,8 @@
 #include "sylph_core/benchmark/run_benchmark.hpp"
 
-#include <atomic>
-#include <exception>
 #include <memory>
-#include <mutex>
-#include <thread>
+
+#include "sylph_core/command/parallel_for.hpp"
 
 namespace sylph {
 namespace {
@@ -34,35 +32,12 @@ std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
     made.push_back(makePlanner(name, policy));
   }
   std::vector<BenchmarkRun> runs(made.size() * cases.size());
-  std::atomic<std::size_t> next{0};
-  std::mutex mutex;  // of what follows
-  std::size_t done = 0;
-  std::exception_ptr failure;
-  const auto work = [&] {
-    for (std::size_t index = next++; index < runs.size(); index = next++) {
-      try {
+  parallelFor(
+      runs.size(), jobs,
+      [&](std::size_t index) {
         runs[index] = runCase(*made[index / cases.size()], cases[index % cases.size()], limits);
-      } catch (...) {
-        const std::lock_guard<std::mutex> lock(mutex);
-        failure = std::current_exception();
-        next = runs.size();  // the others finish what they are at
-        return;
-      }
-      const std::lock_guard<std::mutex> lock(mutex);
-      progress(runs[index], ++done);
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int job = 1; job < jobs; ++job) {
-    threads.emplace_back(work);
-  }
-  work();
-  for (std::thread& thread : threads) {
-    thread.join();
-  }
-  if (failure) {
-    std::rethrow_exception(failure);
-  }
+      },
+      [&](std::size_t index, std::size_t done) { progress(runs[index], done); });
   return runs;
 }
 
