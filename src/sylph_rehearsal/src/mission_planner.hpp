@@ -30,7 +30,7 @@ class MissionPlanner {
   /// under way already.
   void start();
   void crash();
-  /// Sends the plan to somebody who has missed it.
+  /// Sends the plan again, to a central node that has started since.
   void sendAgain();
   void onState(const sylph::AdgState& state);
   void onPose(std::size_t robot, const sylph::Pose2d& pose);

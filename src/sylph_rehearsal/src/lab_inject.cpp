@@ -7,7 +7,7 @@
 namespace sylph_rehearsal {
 namespace {
 
-/// People try again so often when nobody answers them.
+/// The operator tries again so often while no central node answers.
 constexpr double kRetryPeriod_s = 1.0;
 
 }  // namespace
@@ -143,7 +143,7 @@ void Lab::startRobot(std::size_t robot) {
 void Lab::resume(sylph::ExecutionMode mode) {
   const sylph::Execution* execution = central_.execution();
   if (execution != nullptr && execution->mode() != mode) {
-    return;  // somebody else has said otherwise since
+    return;  // the mode has been changed since
   }
   if (!central_.setMode(sylph::ExecutionMode::Run, "by the operator")) {
     queue_.after(kRetryPeriod_s, [this, mode] { resume(mode); });
