@@ -20,7 +20,8 @@ struct SeedRange {
 SeedRange seedsFromText(const std::string& text);
 
 /// An experiment with another seed and so many robots: its first ones; or, if it has fewer, robots
-/// like its last one, called robot_<i>, whose starts and goals are all drawn from the seed.
+/// like its last one, called robot_0, robot_1, ..., whose starts and goals are all drawn from the
+/// seed.
 /// @param robots  0: as many as it has
 /// @throws std::runtime_error as loadExperiment()
 /// @throws std::invalid_argument if the map has no room for them
