@@ -15,8 +15,8 @@ using CommitCut = std::vector<int>;
 
 /// Why an agent's next task is not released: `blocker` has to leave the cell that `task` enters.
 struct Wait {
-  TaskId task = 0;
-  TaskId blocker = 0;
+  TaskId task = 0;     ///< that is not released
+  TaskId blocker = 0;  ///< another agent's, not done
 };
 
 /// The order in which the moves of a plan may be carried out, whatever delays occur.
@@ -51,6 +51,7 @@ class ActionDependencyGraph {
 
   int agentCount() const { return static_cast<int>(progress_.size()); }
   int taskCount() const { return static_cast<int>(tasks_.size()); }
+  /// Of the constructor, for messages.
   const std::string& name(AgentId agent) const { return names_[index(agent)]; }
 
   /// By id: dependencies first.
@@ -84,12 +85,15 @@ class ActionDependencyGraph {
   bool complete(TaskId id);
 
   bool isFinished() const;
+  /// Tasks of the agent that are Done; those before a cut count, too.
   int doneCount(AgentId agent) const { return progress_[index(agent)].done; }
+  /// Tasks of the agent that are Enqueued or Done.
   int releasedCount(AgentId agent) const { return progress_[index(agent)].released; }
   /// The first task that is not done, or nothing if all are.
   std::optional<TaskId> currentTask(AgentId agent) const;
   /// Where the agent is: end of its last task done, or its start.
   const Cell& cell(AgentId agent) const;
+  /// cell() of every agent.
   Configuration configuration() const;
   /// Cells that nobody else may enter now, in the order in which the agent comes to them.
   std::vector<Cell> heldCells(AgentId agent) const;

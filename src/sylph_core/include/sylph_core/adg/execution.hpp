@@ -39,6 +39,7 @@ class Execution {
   void refuse(std::uint32_t plan_id, const std::string& reason);
   /// @throws std::out_of_range if there is no such robot
   void report(int robot, const RobotReport& report, double now_s);
+  /// Lets robots run, pause or stop; `reason` is shown to the operator.
   void setMode(ExecutionMode mode, const std::string& reason);
   /// Takes a robot out of the mission. Nothing happens if it is out already.
   void declareLost(int robot, const std::string& reason);
@@ -54,8 +55,11 @@ class Execution {
   /// Tasks to send now: new ones, and those that a robot has not confirmed in time.
   std::vector<TaskOrder> takeOrders(double now_s);
 
+  /// How far the plan is.
   ExecutionPhase phase() const { return phase_; }
+  /// Whether robots may run, pause or have to stop.
   ExecutionMode mode() const { return mode_; }
+  /// Why they pause or stop; empty while they run.
   const std::string& modeReason() const { return mode_reason_; }
   /// Why the plan was refused, why robots pause or stop, or what a pending plan waits for.
   const std::string& message() const {
@@ -80,8 +84,11 @@ class Execution {
 
   int robotCount() const { return static_cast<int>(names_.size()); }
   const std::string& name(int robot) const { return names_.at(index(robot)); }
+  /// Nothing if no robot of the lab has that name.
   std::optional<int> indexOf(const std::string& name) const;
+  /// Of the map, between cells and metres.
   const CellFrame& frame() const { return frame_; }
+  /// The watchdogs of one robot, with its last report.
   const RobotMonitor& monitor(int robot) const { return monitors_.at(index(robot)); }
   /// Where this plan's tasks begin in the graph's counting.
   int firstSequence(int robot) const { return deliveries_.at(index(robot)).first_sequence; }

@@ -12,6 +12,7 @@ namespace sylph {
 /// A plan that cannot be carried out.
 class PlanRefused : public std::invalid_argument {
  public:
+  /// @param message  one line for the operator, with timestep and agents
   PlanRefused(Timestep timestep, std::vector<AgentId> agents, const std::string& message)
       : std::invalid_argument(message), timestep_(timestep), agents_(std::move(agents)) {}
 

@@ -26,6 +26,7 @@ class RobotMonitor {
   /// Tells that a task was done.
   void noteProgress(double now_s) { progress_s_ = now_s; }
 
+  /// The robot is out of the mission until rejoin(); its watchdogs rest.
   void setLost() { condition_ = RobotCondition::Lost; }
   /// Takes a robot that was lost back in.
   void rejoin() {
@@ -42,6 +43,7 @@ class RobotMonitor {
 
   /// The last report, with the last pose that was known; nothing if none has come.
   const std::optional<RobotReport>& report() const { return report_; }
+  /// Whether a report came within `silent_after_s`.
   bool isHeard(double now_s) const {
     return report_ && now_s - received_s_ <= limits_.silent_after_s;
   }

@@ -12,9 +12,11 @@ namespace sylph {
 /// elsewhere.
 class ProgressBar {
  public:
+  /// @param total  of what show() counts
   explicit ProgressBar(std::size_t total)
       : total_(total), is_terminal_(isatty(STDERR_FILENO) == 1) {}
 
+  /// Draws the bar at `done` of the total.
   void show(std::size_t done) {
     const std::size_t tenths = total_ == 0 ? kParts : done * kParts / total_;
     if (is_terminal_) {

@@ -6,6 +6,7 @@
 
 namespace sylph {
 
+/// Tolerances of hasArrived().
 struct ArrivalOptions {
   double position_tolerance_m = 0.010;    ///< from the end of the leg, > 0
   double heading_tolerance_rad = 0.0524;  ///< > 0

@@ -8,8 +8,8 @@ namespace sylph {
 
 /// One straight leg of a path.
 struct Leg {
-  Point start;
-  Point end;
+  Point start;            ///< [m], map frame
+  Point end;              ///< [m], map frame
   Vector2 direction;      ///< of unit length
   double length_m = 0.0;  ///< > 0
 };

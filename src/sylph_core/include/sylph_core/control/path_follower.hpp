@@ -8,6 +8,7 @@
 
 namespace sylph {
 
+/// Speeds, gains and tolerances of a PathFollower.
 struct FollowerOptions {
   double speed_limit_mps = 0.25;          ///< > 0
   double acceleration_limit_mps2 = 0.6;   ///< along the path and in blends, > 0
@@ -62,7 +63,9 @@ class PathFollower {
   /// The robot is stopped for another reason: afterwards it goes on from the speed it then has.
   void halt();
 
+  /// All waypoints since reset(), passed ones included.
   const DrivePath& path() const { return path_; }
+  /// Index of the leg that is driven; legCount() at the end.
   int currentLeg() const { return leg_; }
 
  private:

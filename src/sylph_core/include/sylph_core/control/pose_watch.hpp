@@ -25,13 +25,14 @@ struct TimedPose {
   Pose2d pose;
   double stamp_s = 0.0;     ///< of the message, in the clock of the motion capture
   double captured_s = 0.0;  ///< when it was true: received_s less its age
-  double received_s = 0.0;
+  double received_s = 0.0;  ///< when this computer knew it
 };
 
 /// A pose that comes now.
 /// @param age_s  since it was true, by clocks of two machines: a little below 0 counts as 0
 TimedPose timedPose(const Pose2d& pose, double stamp_s, double age_s, double received_s);
 
+/// What the watch makes of one pose.
 enum class PoseVerdict {
   Good,
   Repeated,  ///< stamp not newer than the last one's
@@ -51,6 +52,7 @@ class PoseWatch {
   /// @throws std::invalid_argument unless the options are positive
   explicit PoseWatch(const PoseWatchOptions& options);
 
+  /// Takes a pose as it comes.
   PoseVerdict offer(const TimedPose& pose);
 
   /// The operator has looked: where the robot is seen now, it is.

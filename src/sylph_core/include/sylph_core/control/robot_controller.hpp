@@ -16,6 +16,7 @@
 
 namespace sylph {
 
+/// All that a robot's node can be set to; bounds beside each.
 struct RobotControllerOptions {
   double period_s = 0.02;               ///< of update(), > 0
   double stop_deceleration_mps2 = 1.0;  ///< of a ramp to zero, > 0
@@ -37,9 +38,13 @@ class RobotController {
   /// @throws std::invalid_argument if an option is out of its bounds
   RobotController(const RobotControllerOptions& options, const Grid& grid, const CellFrame& frame);
 
+  /// Takes a task into the queue, or says why not.
   TaskAnswer onTask(const TaskOrder& task, double now_s);
+  /// Takes a pose, learns slip from it and notices arrivals.
   PoseVerdict onPose(const TimedPose& pose);
+  /// The central node lives, and wants robots to run, pause or stop.
   void onCentralState(ExecutionMode mode, double now_s);
+  /// The state of the button, which stops at once; see EmergencyLatch.
   void onEmergencyStop(bool is_pressed) { emergency_.onEmergencyStop(is_pressed); }
 
   /// The velocity to command now [robot frame].

@@ -7,6 +7,7 @@
 
 namespace sylph {
 
+/// How far a robot may move now.
 enum class Permission {
   Drive,       ///< through all accepted tasks; without one, keep the place
   FinishTask,  ///< to the end of the current task and no further
@@ -25,12 +26,14 @@ struct RobotSituation {
   double heading_error_rad = 0.0;
 };
 
+/// When a robot holds although its pose is good.
 struct SupervisorLimits {
   double central_timeout_s = 0.5;  ///< > 0
   /// Larger heading errors are for an operator to correct (20 deg), > 0.
   double heading_correction_rad = 0.349065850398866;
 };
 
+/// What decide() has come to.
 struct RobotDecision {
   RobotState state = RobotState::Holding;
   Permission permission = Permission::Stop;
@@ -45,7 +48,9 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
 /// and the central node was stopped and told to go on. So its end alone never moves a robot.
 class EmergencyLatch {
  public:
+  /// The state of the button, as it is repeated.
   void onEmergencyStop(bool is_pressed);
+  /// The mode of the last AdgState.
   void onCentralMode(ExecutionMode mode);
   bool isActive() const { return is_pressed_ || is_waiting_for_resume_; }
 

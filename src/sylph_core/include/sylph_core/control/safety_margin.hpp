@@ -20,6 +20,7 @@ struct SafetyFactors {
   double command_latency_s = 0.0;        ///< from capture to a moving wheel, >= 0
 };
 
+/// What the margin says of a configuration.
 enum class SafetyVerdict {
   Run,       ///< robots stay apart, even if one loses its pose or its node at the worst moment
   SlowDown,  ///< they stay apart as long as poses come; slower, also without
@@ -40,8 +41,8 @@ enum class SafetyVerdict {
 /// own e does not add to that:
 ///     blind separation = cell - 2 reach - e - overrun.
 struct SafetyMargin {
-  double reach_m = 0.0;
-  double error_m = 0.0;
+  double reach_m = 0.0;  ///< of a footprint towards its neighbour, turned by up to the tolerance
+  double error_m = 0.0;  ///< larger of tracking error and position tolerance
   double blind_travel_m = 0.0;      ///< from the last good pose or command to a standstill
   double overrun_m = 0.0;           ///< of that, beyond the cells that the robot holds
   double separation_m = 0.0;        ///< gap between footprints while all robots have poses
@@ -55,6 +56,7 @@ struct SafetyMargin {
   std::string summary() const;
 };
 
+/// Bounds of the factors are for the caller to keep; factors that leave no gap give Refuse.
 SafetyMargin computeSafetyMargin(const SafetyFactors& factors);
 
 }  // namespace sylph

@@ -21,8 +21,8 @@ struct SeparationLimits {
 /// Two robots, by index, and the gap between their footprints.
 struct PairGap {
   int robot_a = -1;  ///< -1: there are no two robots with a pose
-  int robot_b = -1;
-  double gap_m;  ///< infinite if there are no two
+  int robot_b = -1;  ///< -1 likewise
+  double gap_m;      ///< infinite if there are no two
 };
 
 /// Watches the gaps between robots by their measured poses, knowing nothing of plans and tasks.

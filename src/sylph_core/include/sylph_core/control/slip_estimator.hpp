@@ -5,6 +5,7 @@
 
 namespace sylph {
 
+/// How fast and how far slip is learned.
 struct SlipOptions {
   double largest = 0.1;       ///< share of the speed that may be made up for, 0 ... 0.5
   double memory_m = 0.3;      ///< way over which the estimate is averaged, > 0
@@ -31,7 +32,9 @@ class SlipEstimator {
   /// The command that moves the base with `wanted_robot`.
   Twist2d compensate(const Twist2d& wanted_robot) const;
 
+  /// Measured over predicted way along the robot's x axis.
   double forwardGain() const { return forward_; }
+  /// The same along its y axis.
   double sidewaysGain() const { return sideways_; }
 
  private:

@@ -12,6 +12,7 @@
 
 namespace sylph {
 
+/// What a robot makes of one task message.
 enum class TaskVerdict {
   Accepted,  ///< new, and next in order
   Repeated,  ///< known already
@@ -20,6 +21,7 @@ enum class TaskVerdict {
   Refused,   ///< contradicts the map, the robot's place or what it was told before
 };
 
+/// The verdict on a task, and why.
 struct TaskAnswer {
   TaskVerdict verdict;
   std::string reason;  ///< for the operator; empty if Accepted or Repeated
@@ -41,6 +43,7 @@ class TaskQueue {
  public:
   explicit TaskQueue(Grid grid) : grid_(std::move(grid)) {}
 
+  /// Takes a task if it is the next one, keeps it if it is early.
   TaskAnswer offer(const TaskOrder& task, const Whereabouts& whereabouts);
 
   /// Marks the current task done.
@@ -48,7 +51,9 @@ class TaskQueue {
   void completeCurrent();
 
   std::uint32_t planId() const { return plan_id_; }  ///< 0: none yet
+  /// Tasks of this plan that have come without a gap.
   int accepted() const { return static_cast<int>(tasks_.size()); }
+  /// Tasks of this plan that ended with a measured arrival.
   int done() const { return done_; }
   bool isIdle() const { return done_ == accepted(); }
 

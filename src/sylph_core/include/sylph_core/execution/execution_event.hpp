@@ -15,38 +15,46 @@ namespace event {
 
 /// `plan` is carried out from now on.
 struct Started {
-  std::shared_ptr<const MissionPlan> plan;
+  std::shared_ptr<const MissionPlan> plan;  ///< with its id, which the entry has, too
 };
+/// A plan does not start, and why: for the operator, in one line.
 struct Refused {
   std::string reason;
 };
 /// The plan gives way to a new mission: nothing more of it is released.
 struct Abandoned {};
+/// A task may be sent to its robot; what may be carried out is decided here, once.
 struct Released {
   int robot = 0;
   int sequence = 0;  ///< of the task within the plan
 };
+/// The robot has confirmed that tasks have come.
 struct Accepted {
   int robot = 0;
   int count = 0;  ///< tasks of the plan that it has without a gap
 };
+/// The robot has measured its arrival at the end of a task.
 struct Done {
   int robot = 0;
   int sequence = 0;  ///< of the task within the plan
 };
+/// What the watchdogs think of a robot has changed.
 struct Condition {
   int robot = 0;
   RobotCondition condition = RobotCondition::Ok;
   std::string reason;
 };
+/// The robot is out of the mission; its cells stay held.
 struct Lost {
   int robot = 0;
   std::string reason;
 };
+/// The operator or the separation monitor lets robots run, pause or stop.
 struct Mode {
   ExecutionMode mode = ExecutionMode::Run;
   std::string reason;
 };
+/// How far the plan is.
 struct Phase {
   ExecutionPhase phase = ExecutionPhase::Idle;
 };
@@ -63,7 +71,7 @@ struct ExecutionEvent {
   /// not there.
   ExecutionEvent(std::uint32_t of_plan, What told);
 
-  std::uint32_t plan_id;
+  std::uint32_t plan_id;  ///< 0: before any plan
   What what;
 };
 

@@ -5,6 +5,7 @@
 
 namespace sylph {
 
+/// How far the central node is with a plan, see AdgState.msg.
 enum class ExecutionPhase : std::uint8_t {
   Idle = 0,     ///< no plan
   Pending = 1,  ///< a plan has come and waits until it may start
@@ -15,12 +16,14 @@ enum class ExecutionPhase : std::uint8_t {
   Refused = 6,   ///< the plan cannot be executed
 };
 
+/// What robots may do, by the operator's or the separation monitor's word.
 enum class ExecutionMode : std::uint8_t {
   Run = 0,
   Pause = 1,  ///< no new task is released, robots finish those that they have
   Stop = 2,   ///< robots ramp to zero at once
 };
 
+/// What the central node's watchdogs think of a robot.
 enum class RobotCondition : std::uint8_t {
   Ok = 0,
   Silent = 1,  ///< no report for longer than the limit

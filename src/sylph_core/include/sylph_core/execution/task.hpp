@@ -20,9 +20,9 @@ struct Task {
   AgentId agent = 0;
   int sequence = 0;       ///< the agent's k-th task, from 0; its (k-1)-th is its type-1 dependency
   Timestep timestep = 0;  ///< t of the move t -> t + 1 in its plan
-  Action action = Action::Stay;
-  Cell start;
-  Cell end;
+  Action action = Action::Stay;  ///< never Stay
+  Cell start;                    ///< held until the task is done
+  Cell end;                      ///< held until the next one is done
   std::optional<TaskId>
       type2_predecessor;  ///< type-2 dependency: another agent's task that leaves `end`
 };

@@ -15,9 +15,9 @@ struct TaskOrder {
   Cell end;
   /// Enqueued: to be carried out. Done: to be counted only, by a node that was started again.
   TaskStatus status = TaskStatus::Enqueued;
-  int robot = 0;        ///< index of the robot at the central node
-  int robot_tasks = 0;  ///< tasks of the robot in this plan
-  TaskId task_id = 0;
+  int robot = 0;                          ///< index of the robot at the central node
+  int robot_tasks = 0;                    ///< tasks of the robot in this plan
+  TaskId task_id = 0;                     ///< in the graph of the plan; see `dependencies`
   Timestep timestep = 0;                  ///< scheduled in the plan
   std::vector<TaskId> dependencies = {};  ///< ids in the plan's graph
 };

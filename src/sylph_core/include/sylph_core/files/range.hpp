@@ -7,11 +7,13 @@ namespace sylph {
 
 /// Numbers that a field or a parameter accepts: from `lowest` up to and with `highest`.
 struct Range {
-  double lowest = -std::numeric_limits<double>::max();
-  double highest = std::numeric_limits<double>::max();
-  bool open_below = false;  ///< whether `lowest` itself is refused
+  double lowest = -std::numeric_limits<double>::max();  ///< still accepted, unless `open_below`
+  double highest = std::numeric_limits<double>::max();  ///< still accepted
+  bool open_below = false;                              ///< whether `lowest` itself is refused
 
+  /// > 0.
   static Range positive() { return {0.0, std::numeric_limits<double>::max(), true}; }
+  /// >= `lowest`.
   static Range atLeast(double lowest) { return {lowest}; }
 
   /// False for what is not finite, too.

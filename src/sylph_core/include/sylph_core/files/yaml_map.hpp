@@ -32,16 +32,21 @@ class YamlMap {
   /// Refuses keys that nobody has asked for and keys given twice, so that a typo is not silence.
   void refuseUnread() const;
 
+  /// Whether the key is there; it counts as asked for.
   bool has(const std::string& key) const;
 
+  /// A text, not empty, as it stands in the file; `otherwise` if the key is missing.
   std::string text(const std::string& key) const;
   std::string text(const std::string& key, const std::string& otherwise) const;
   /// One of the given words.
   std::string word(const std::string& key, const std::vector<std::string>& allowed,
                    const std::string& otherwise) const;
+  /// `true` or `false`, or `otherwise` if the key is missing.
   bool boolean(const std::string& key, bool otherwise) const;
+  /// A finite number within the range; `otherwise` if the key is missing.
   double number(const std::string& key, const Range& range) const;
   double number(const std::string& key, double otherwise, const Range& range) const;
+  /// A whole number within the bounds; `otherwise` if the key is missing.
   std::int64_t integer(const std::string& key, std::int64_t lowest, std::int64_t highest) const;
   std::int64_t integer(const std::string& key, std::int64_t otherwise, std::int64_t lowest,
                        std::int64_t highest) const;
@@ -64,6 +69,7 @@ class YamlMap {
   /// An error in a field of this mapping, in the form of those above.
   std::runtime_error error(const std::string& key, const std::string& what) const;
 
+  /// The file, for messages.
   const std::string& path() const { return path_; }
 
  private:

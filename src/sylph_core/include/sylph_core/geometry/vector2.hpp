@@ -12,6 +12,7 @@ struct Point {
 
 /// A direction, displacement or velocity in the plane.
 struct Vector2 {
+  /// Along the axes of whatever frame the variable's name tells [m, m/s, ...].
   double x = 0.0;
   double y = 0.0;
 };

@@ -12,8 +12,8 @@ namespace sylph {
 /// A square of the grid. Row 0 is the first line of the map file, which is the top; column 0 is
 /// left.
 struct Cell {
-  int row = 0;
-  int col = 0;
+  int row = 0;  ///< 0: the first line of the map file, at the top
+  int col = 0;  ///< 0: at the left
 };
 
 inline bool operator==(const Cell& a, const Cell& b) {

@@ -24,7 +24,7 @@ enum class ViolationKind {
 
 /// The first thing that is wrong with a plan.
 struct PlanViolation {
-  ViolationKind kind;
+  ViolationKind kind;           ///< the rule that is broken
   Timestep timestep = 0;        ///< of the configuration in which it shows
   std::vector<AgentId> agents;  ///< who is involved
   std::string message;          ///< one line for the operator

@@ -22,6 +22,7 @@ class DenseLayer {
   int inputs() const { return inputs_; }
   int outputs() const { return outputs_; }
 
+  /// What follows the affine map.
   enum class Activation { None, Relu };
 
   /// Where inputs and outputs of a number of rows lie. All pointers are to floats that outlive the

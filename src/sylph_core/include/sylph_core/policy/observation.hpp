@@ -56,7 +56,7 @@ enum class Channel {
   InheritedGap,
 };
 constexpr int kChannelCount = 32;
-constexpr int kBinaryChannelCount = kChannelCount - 3;
+constexpr int kBinaryChannelCount = kChannelCount - 3;  ///< all but the last three
 
 /// Entries of the vector that goes with the field of view, see observationEntries().
 enum class VectorEntry {
@@ -70,14 +70,15 @@ enum class VectorEntry {
 };
 constexpr int kVectorSize = 7;
 
-constexpr int kObservationSize = kViewCells * kChannelCount;
+constexpr int kObservationSize =
+    kViewCells * kChannelCount;  ///< numbers of one agent's field of view
 
 /// One number that the network sees.
 struct ObservationEntry {
-  std::string name;
-  std::string meaning;
-  double lowest;
-  double highest;
+  std::string name;     ///< in the metadata of weights, unique
+  std::string meaning;  ///< for docs/observation.md
+  double lowest;        ///< that the number can be
+  double highest;       ///< that the number can be
 
   std::string toText() const;  ///< in one line
 };
@@ -88,7 +89,7 @@ const std::vector<ObservationEntry>& observationEntries();
 
 /// The state of all agents that a policy acts in.
 struct AgentStates {
-  Configuration cells;
+  Configuration cells;             ///< where each agent is
   std::vector<Action> last_moves;  ///< the action that led here; Stay at the start
   std::vector<float> svo_deg;      ///< mean SVO [deg]
   std::vector<int> waited;         ///< timesteps since the agent was last on its goal

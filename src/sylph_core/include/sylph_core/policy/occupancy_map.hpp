@@ -16,15 +16,18 @@ class OccupancyMap {
   /// @param margin  width of the border [cells], > 0
   OccupancyMap(const Grid& grid, int margin);
 
+  /// Of a cell of the grid or its border.
   int indexOf(const Cell& cell) const {
     return (cell.row + margin_) * stride_ + cell.col + margin_;
   }
+  /// The cell of an index; in the border it lies outside the grid.
   Cell cellAt(int index) const { return {index / stride_ - margin_, index % stride_ - margin_}; }
   /// What the moves North, East, South, West, in this order, add to an index.
   const std::array<int, 4>& steps() const { return steps_; }
   /// Number of indices.
   int size() const { return static_cast<int>(is_obstacle_.size()); }
 
+  /// True in the border, too.
   bool isObstacle(int index) const { return is_obstacle_[static_cast<std::size_t>(index)] != 0; }
   /// The agent on a cell, -1 if there is none.
   AgentId occupant(int index) const { return occupants_[static_cast<std::size_t>(index)]; }

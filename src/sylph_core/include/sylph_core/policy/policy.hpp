@@ -20,6 +20,7 @@ class Policy {
   /// @param name  of the weights, for errors
   Policy(const TensorFile& weights, const std::string& name);
 
+  /// The network that the weights belong to.
   const Network& network() const { return network_; }
   /// Whether the memory of a timestep is an input of the next one; it is zero otherwise.
   bool hasMemory() const { return has_memory_; }

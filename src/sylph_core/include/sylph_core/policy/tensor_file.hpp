@@ -9,14 +9,14 @@ namespace sylph {
 
 /// A dense array of floats, row-major (the last index runs fastest).
 struct Tensor {
-  std::vector<std::int64_t> shape;
-  std::vector<float> values;  ///< product of `shape` of them
+  std::vector<std::int64_t> shape;  ///< one size for each dimension
+  std::vector<float> values;        ///< product of `shape` of them
 };
 
 /// Named tensors with notes: what a safetensors file holds.
 struct TensorFile {
-  std::map<std::string, Tensor> tensors;
-  std::map<std::string, std::string> metadata;
+  std::map<std::string, Tensor> tensors;        ///< by name
+  std::map<std::string, std::string> metadata;  ///< safetensors' `__metadata__`
 };
 
 /// Reads a safetensors file (https://github.com/huggingface/safetensors, "Format"): 8 bytes of

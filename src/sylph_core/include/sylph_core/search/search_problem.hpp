@@ -23,10 +23,10 @@ struct SearchProblem {
   int agentCount() const { return static_cast<int>(starts.size()); }
 
   Graph graph;
-  Vertices starts;
-  Vertices goals;
-  MotionModel motion;
-  DistanceTables distances;
+  Vertices starts;           ///< of every agent
+  Vertices goals;            ///< of every agent
+  MotionModel motion;        ///< whether agents may rotate
+  DistanceTables distances;  ///< to each goal, worked out where the search asks
 };
 
 }  // namespace sylph

@@ -8,7 +8,7 @@ namespace sylph {
 /// partner's. He et al. 2024 (arXiv:2408.03063), "Socially-aware reward". Levels are spaced by 5
 /// degrees, as in the authors' training code; the paper's table has 5 of them, that code 10.
 constexpr double kSvoLevelSpacingDeg = 5.0;
-constexpr int kSvoLevelCount = 10;
+constexpr int kSvoLevelCount = 10;  ///< 0, 5, ... 45 degrees
 /// The level of an agent that rests on its goal: it steps aside for whoever has to pass.
 constexpr int kMostProsocialLevel = kSvoLevelCount - 1;
 
