@@ -19,9 +19,13 @@ class RunFolder {
   /// @throws std::runtime_error that the folder holds another run
   [[noreturn]] void refuse(const std::string& why) const;
 
+  /// Absolute.
   const std::string& path() const { return path_; }
+  /// events.jsonl in it.
   std::string eventLog() const { return path_ + "/events.jsonl"; }
+  /// result.yaml in it.
   std::string result() const { return path_ + "/result.yaml"; }
+  /// plan.txt in it.
   std::string plan() const { return path_ + "/plan.txt"; }
 
  private:

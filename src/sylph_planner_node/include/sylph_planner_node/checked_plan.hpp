@@ -14,10 +14,10 @@ namespace sylph_planner_node {
 /// A plan that checkPlan() has accepted.
 struct CheckedPlan {
   sylph::Instance instance;
-  sylph::Plan plan;
+  sylph::Plan plan;                        ///< checked against `instance`
   std::vector<sylph::SocialState> social;  ///< one per joint action
-  sylph::PlanMetrics metrics;
-  double planning_s = 0.0;  ///< wall time [s]
+  sylph::PlanMetrics metrics;              ///< of `plan`
+  double planning_s = 0.0;                 ///< wall time [s]
 };
 
 /// The plan as it goes to the central node; its ids are left to the caller.

@@ -28,6 +28,7 @@ enum class MissionOutcome : std::uint8_t {
 /// Why a mission ends without success, in one line for the operator.
 class MissionFailure : public std::runtime_error {
  public:
+  /// @param message  one line, without the mission's or the planner's name
   MissionFailure(MissionOutcome outcome, const std::string& message)
       : std::runtime_error(message), outcome_(outcome) {}
   MissionOutcome outcome() const { return outcome_; }
@@ -36,30 +37,31 @@ class MissionFailure : public std::runtime_error {
   MissionOutcome outcome_;
 };
 
+/// How a mission went, see ExecuteMission.action.
 struct MissionResult {
   MissionOutcome outcome = MissionOutcome::Success;
-  std::string message;
+  std::string message;  ///< how it ended, for the operator
   std::uint32_t robots = 0;
-  std::uint32_t arrived = 0;
-  std::uint32_t plan_steps = 0;
-  std::uint32_t sum_of_costs = 0;
-  double planning_s = 0.0;   ///< wall time, all plans together [s]
-  double execution_s = 0.0;  ///< from the first task to the last arrival [s]
-  std::uint32_t replans = 0;
+  std::uint32_t arrived = 0;       ///< robots on their goals
+  std::uint32_t plan_steps = 0;    ///< joint actions of the last plan
+  std::uint32_t sum_of_costs = 0;  ///< of that plan [timesteps]
+  double planning_s = 0.0;         ///< wall time, all plans together [s]
+  double execution_s = 0.0;        ///< from the first task to the last arrival [s]
+  std::uint32_t replans = 0;       ///< plans around lost robots
 };
 
 /// A mission that has been checked as far as it can be without knowing where the robots are.
 struct Mission {
-  std::string map_path;
+  std::string map_path;  ///< for messages
   sylph::Grid grid;
-  double cell_size_m = 0.0;
-  sylph::Point corner;  ///< lower left corner of the map [m]
+  double cell_size_m = 0.0;  ///< side of a cell [m], > 0
+  sylph::Point corner;       ///< lower left corner of the map [m]
   std::vector<std::string> robots;
-  sylph::Configuration goals;  ///< one per robot, free and distinct
-  std::string planner;
+  sylph::Configuration goals;                   ///< one per robot, free and distinct
+  std::string planner;                          ///< its name, as makePlanner() knows it
   std::shared_ptr<const sylph::Policy> policy;  ///< for planners that need one
-  double time_limit_s = 0.0;
-  std::uint32_t seed = 0;
+  double time_limit_s = 0.0;                    ///< wall time for a plan [s], > 0
+  std::uint32_t seed = 0;                       ///< of the planner
 
   /// Index of a robot, or robots.size() if it has no part in the mission.
   std::size_t indexOf(const std::string& robot) const {

@@ -41,6 +41,7 @@ class MissionClient {
   /// @throws std::runtime_error if the planner or a robot's pose does not appear in time
   bool run();
 
+  /// Whether the command ends with the mission.
   bool exitWhenDone() const { return options_.exit_when_done; }
 
  private:

@@ -37,7 +37,7 @@ namespace command {
 
 /// Takes as long as planning does: meant for a thread of its own, its outcome for onPlanned().
 struct Plan {
-  std::function<PlanningOutcome()> make;
+  std::function<PlanningOutcome()> make;  ///< may be called in any thread, once
 };
 /// To the central node, in place of the plan before.
 struct Publish {
@@ -47,8 +47,11 @@ struct Publish {
 struct PublishAgain {};
 /// Takes that plan back, so that no central node that starts later finds it.
 struct Withdraw {};
+/// To the central node: robots finish the tasks that they have.
 struct Pause {};
+/// To the central node: robots go on.
 struct Resume {};
+/// To the operator, in the log.
 struct Say {
   enum class Level { Info, Warning, Error };
   Level level = Level::Info;
@@ -61,6 +64,7 @@ struct End {
 
 }  // namespace command
 
+/// One thing to do, for whoever has ROS.
 using MissionCommand =
     std::variant<command::Plan, command::Publish, command::PublishAgain, command::Withdraw,
                  command::Pause, command::Resume, command::Say, command::End>;
@@ -71,6 +75,7 @@ using MissionCommand =
 /// It is told what happens and when [s, steady], and gives out commands.
 class MissionLifecycle {
  public:
+  /// What the present mission waits for.
   enum class Stage {
     Idle,
     Starting,   ///< waits for poses, for the central node, for robots to hold
@@ -95,7 +100,9 @@ class MissionLifecycle {
   /// Ends the mission, or a request before it has become one.
   void fail(const MissionFailure& failure, double now_s);
 
+  /// The central node was heard.
   void onAdgState(sylph::AdgState state, double now_s);
+  /// The outcome of the last command::Plan; one that nobody waits for any more is dropped.
   void onPlanned(PlanningOutcome outcome, double now_s);
   /// @param poses  needed in stage Starting
   void tick(const RobotPoses& poses, double now_s);
@@ -104,14 +111,17 @@ class MissionLifecycle {
   std::vector<MissionCommand> takeCommands() { return std::exchange(commands_, {}); }
 
   Stage stage() const { return stage_; }
+  /// For the action's feedback.
   MissionProgress progress() const;
   /// Of the present mission or the last one.
   const Mission& mission() const { return mission_; }
+  /// Of the plan that was published last; 0: none yet.
   std::uint32_t planId() const { return plan_id_; }
   /// Figures of that mission so far.
   const MissionResult& totals() const { return totals_; }
   /// How the last mission ended, for the operator.
   const std::string& lastOutcome() const { return last_outcome_; }
+  /// Whether any AdgState has come since the node started.
   bool hasHeardCentral() const { return state_.has_value(); }
 
  private:

@@ -13,7 +13,9 @@ class ModeCaller {
  public:
   explicit ModeCaller(ros::NodeHandle nh) : nh_(nh) {}
 
+  /// Robots finish the tasks that they have.
   void pause();
+  /// Robots go on.
   void resume();
 
   /// The reason if a call has failed since the last time that this was asked.

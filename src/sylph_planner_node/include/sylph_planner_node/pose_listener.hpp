@@ -19,7 +19,9 @@ class PoseListener {
  public:
   PoseListener(ros::NodeHandle nh, const sylph_ros::SteadyClock& clock) : nh_(nh), clock_(clock) {}
 
+  /// Subscribes to the poses of these robots, forgetting others.
   void start(const std::vector<std::string>& robots);
+  /// Unsubscribes; judged() keeps what was heard.
   void stop();
 
   /// The last pose of each robot that has been heard.

@@ -11,10 +11,10 @@ namespace sylph_planner_node {
 
 /// How far a mission is, for those who wait for it.
 struct MissionProgress {
-  std::string phase;  ///< planning, sending, executing, ...
-  std::uint32_t tasks_done = 0;
-  std::uint32_t tasks_total = 0;
-  std::uint32_t robots_arrived = 0;
+  std::string phase;                 ///< planning, sending, executing, ...
+  std::uint32_t tasks_done = 0;      ///< of all robots, by the present plan
+  std::uint32_t tasks_total = 0;     ///< of all robots, in the present plan
+  std::uint32_t robots_arrived = 0;  ///< see robotsArrived()
   std::vector<std::string> waiting;  ///< see waitingLines()
 };
 

@@ -12,10 +12,11 @@ namespace sylph_planner_node {
 
 /// The last pose of a robot.
 struct RobotPose {
-  sylph::Pose2d pose;
-  std::string fault;  ///< why it cannot be used, to follow "the pose of robot_3 "; empty: nothing
+  sylph::Pose2d pose;  ///< the robot's frame in the map
+  std::string fault;   ///< why it cannot be used, to follow "the pose of robot_3 "; empty: nothing
 };
 
+/// By name of the robot.
 using RobotPoses = std::map<std::string, RobotPose>;
 
 /// The cells in which the robots of a mission are, one per robot: the cell that contains the pose.

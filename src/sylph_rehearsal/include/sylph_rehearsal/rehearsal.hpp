@@ -36,6 +36,7 @@ struct RehearsalOptions {
 /// @throws std::invalid_argument naming the member, its value and its bound
 void requireValid(const RehearsalOptions& options);
 
+/// How a run ends.
 enum class Ending {
   Finished,  ///< every robot is on its goal
   Stopped,   ///< nothing moves any more; `cause` says why
@@ -47,25 +48,25 @@ std::string toString(Ending ending);
 /// Something that must never happen, by the truth.
 struct Violation {
   double time_s = 0.0;  ///< since the start of the run
-  std::string what;
+  std::string what;     ///< in one line, with the robots' names
 };
 
 /// How long a robot had to wait for another one.
 struct WaitingTime {
-  int robot = 0;
-  int blocker = 0;
-  double duration_s = 0.0;
+  int robot = 0;            ///< that waited
+  int blocker = 0;          ///< that it waited for
+  double duration_s = 0.0;  ///< in all [s]
 };
 
 /// What became of a run.
 struct Rehearsal {
-  std::uint32_t seed = 0;
+  std::uint32_t seed = 0;  ///< gives the same run again
   Ending ending = Ending::Stopped;
-  std::string cause;             ///< why it did not finish
-  std::vector<LabFault> faults;  ///< that went wrong
-  sylph::RunResult result;       ///< as the central node sums it up
-  double lab_s = 0.0;            ///< time of the lab that the run took
-  std::vector<Violation> violations;
+  std::string cause;                   ///< why it did not finish
+  std::vector<LabFault> faults;        ///< that went wrong
+  sylph::RunResult result;             ///< as the central node sums it up
+  double lab_s = 0.0;                  ///< time of the lab that the run took
+  std::vector<Violation> violations;   ///< in order of time; none unless `ending` is Violated
   std::vector<WaitingTime> waits;      ///< in order of robot and blocker
   std::vector<std::string> event_log;  ///< of the central node, a line an event
 };

@@ -10,8 +10,8 @@ namespace sylph_rehearsal {
 
 /// Seeds of runs, both ends included.
 struct SeedRange {
-  std::uint32_t first = 0;
-  std::uint32_t last = 0;
+  std::uint32_t first = 0;  ///< included
+  std::uint32_t last = 0;   ///< included
   std::size_t count() const { return std::size_t{last} - first + 1; }
 };
 

@@ -13,13 +13,13 @@ namespace sylph_robot_node {
 /// Parameters of the node; README.md has the same rows. What all nodes share comes from the
 /// experiment.
 struct Options {
-  std::string robot;
-  std::string experiment;
+  std::string robot;       ///< its name, which is its namespace and frame
+  std::string experiment;  ///< absolute path
   double control_rate_hz = 50.0;
   double report_rate_hz = 10.0;
-  double shutdown_s = 0.5;  ///< zeros sent before the node goes down
-  sylph::RobotControllerOptions controller;
-  sylph::Grid grid;
+  double shutdown_s = 0.5;                   ///< zeros sent before the node goes down
+  sylph::RobotControllerOptions controller;  ///< limits of the experiment
+  sylph::Grid grid;                          ///< the experiment's map
   double cell_size_m = 0.0;
   sylph::Point corner;  ///< lower left corner of the map [m]
 };

@@ -14,19 +14,30 @@ namespace sylph_ros {
 constexpr char kSuiteNamespace[] = "sylph";
 
 // In the suite's namespace.
+/// sylph_msgs/ExecuteMission: an operator's mission, to the planner.
 constexpr char kExecuteMissionAction[] = "execute_mission";
+/// sylph_msgs/JointActions, latched: a plan, from the planner to the central node.
 constexpr char kJointActionsTopic[] = "joint_actions";
+/// sylph_msgs/AdgState: from the central node to everybody.
 constexpr char kAdgStateTopic[] = "adg_state";
+/// sylph_msgs/SeparationState: the closest pair, from the separation monitor.
 constexpr char kSeparationTopic[] = "separation";
 /// std_msgs/Bool, latched: true from the separation monitor stops every robot, past the central
 /// node, until the monitor is reset.
 constexpr char kEmergencyStopTopic[] = "emergency_stop";
+/// sylph_msgs/SimulationTruth: where the simulator's robots really are.
 constexpr char kSimulationTruthTopic[] = "simulation_truth";
+/// std_srvs/Trigger of the central node: robots finish the tasks that they have.
 constexpr char kPauseService[] = "pause";
+/// std_srvs/Trigger of the central node: robots ramp to zero at once.
 constexpr char kStopService[] = "stop";
+/// std_srvs/Trigger of the central node: robots go on.
 constexpr char kResumeService[] = "resume";
+/// sylph_msgs/DeclareLost of the central node: a robot is out of the mission.
 constexpr char kDeclareLostService[] = "declare_lost";
+/// std_srvs/Trigger of the separation monitor: ends its emergency stop.
 constexpr char kSeparationResetService[] = "separation_monitor/reset";
+/// sylph_msgs/InjectFault of the simulator.
 constexpr char kInjectFaultService[] = "inject_fault";
 
 // Parameters of the suite's namespace, which the launch file sets once and every node reads there.
@@ -38,16 +49,23 @@ constexpr char kSpeedParameter[] = "speed";            // simulated seconds per 
 constexpr char kRunFolderParameter[] = "run_folder";  // absolute path, the central node fills it in
 
 // In a robot's namespace.
+/// sylph_msgs/Task: from the central node to the robot.
 constexpr char kTaskTopic[] = "task";
+/// sylph_msgs/TaskReport: from the robot to the central node.
 constexpr char kTaskReportTopic[] = "task_report";
+/// geometry_msgs/PoseStamped in the map frame: from motion capture.
 constexpr char kPoseTopic[] = "pose";
+/// nav_msgs/Odometry: pose with velocity, from motion capture.
 constexpr char kOdometryTopic[] = "odom";
+/// geometry_msgs/Twist in the robot's frame: to its base.
 constexpr char kCommandTopic[] = "cmd_vel";
 constexpr char kFootprintTopic[] = "footprint";  // latched PolygonStamped in the robot's frame
 
 // In the fleet's namespace.
+/// nav_msgs/OccupancyGrid, latched, of the present mission.
 constexpr char kMapTopic[] = "map";
 
+/// Frame of everything that is not said in a robot's own (REP 105).
 constexpr char kMapFrame[] = "map";
 
 /// A name in the fleet's namespace, which is the one around the node's own.

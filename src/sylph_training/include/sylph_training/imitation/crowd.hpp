@@ -19,6 +19,7 @@ class Crowd {
 
   const sylph::Instance& instance() const { return *instance_; }
   const sylph::SearchProblem& problem() const { return *problem_; }
+  /// Number of agents.
   int agentCount() const { return instance_->agentCount(); }
 
   /// Cells, last moves, SVOs by svoByWaiting(), timesteps waited.
@@ -27,6 +28,7 @@ class Crowd {
   const sylph::Configuration& before() const { return before_; }
 
   bool isHome(sylph::AgentId agent) const;
+  /// Whether everybody is on its goal.
   bool isSolved() const;
   /// Whether an action hits neither an obstacle nor the edge.
   bool isValid(sylph::AgentId agent, sylph::Action action) const;

@@ -17,14 +17,14 @@ struct LabelSettings {
 
 /// A scene of a store, seen through one of the symmetries of the square.
 struct Pick {
-  const SceneStore* store;
-  std::size_t scene;
-  int symmetry;
+  const SceneStore* store;  ///< must outlive the pick
+  std::size_t scene;        ///< index in the store
+  int symmetry;             ///< 0 ... Symmetry::kCount - 1
 };
 
 /// What the network sees and what it should say, for a samples among n agents.
 struct ImitationBatch {
-  PolicyInput input;
+  PolicyInput input;          ///< memory all 0
   torch::Tensor targets;      ///< a x 5: probabilities of the actions, all 0 if nothing is told
   torch::Tensor is_compared;  ///< a x 5: 1 where the targets tell of the action
   torch::Tensor is_alike;     ///< a x 5: 1 for actions between which the targets do not tell
@@ -33,7 +33,9 @@ struct ImitationBatch {
   torch::Tensor is_valid;     ///< a x 5: 1 where the action hits nothing
   torch::Tensor svo_targets;  ///< a x levels: what the rule of waiting gives
 
+  /// The same on another device.
   ImitationBatch to(torch::Device device) const;
+  /// a
   std::int64_t sampleCount() const { return actions.size(0); }
 };
 

@@ -26,14 +26,14 @@ struct Sample {
   std::uint16_t agent = 0;     ///< row in its scene
   std::uint8_t action = 0;     ///< the expert's, or the teacher's most frequent one
   std::uint8_t only_ties = 0;  ///< 1: only what it tells of the moves that come closer is of use
-  Regrets regrets{};
+  Regrets regrets{};           ///< the expert's, see Regrets
   std::array<std::uint8_t, sylph::kActionCount> votes{};  ///< of the teacher's draws; 0 if expert's
-  PackedView view{};
+  PackedView view{};                                      ///< what it sees
 };
 
 /// What communication needs of an agent, whether it is a sample or not.
 struct SceneAgent {
-  std::array<float, sylph::kVectorSize> vector{};
+  std::array<float, sylph::kVectorSize> vector{};  ///< entries of the observation's vector
   std::uint16_t partner = 0;       ///< row in the scene; an agent without partner is its own
   std::uint16_t svo_centideg = 0;  ///< SVO as all see it [deg / 100]
 };
@@ -43,8 +43,8 @@ std::uint16_t toCentidegrees(float svo_deg);
 
 /// One joint configuration: all of its agents and some of them as samples.
 struct Scene {
-  std::vector<SceneAgent> agents;
-  std::vector<Sample> samples;
+  std::vector<SceneAgent> agents;  ///< all of the configuration
+  std::vector<Sample> samples;     ///< of some of them
 };
 
 /// Scenes in memory and in files.
@@ -56,7 +56,9 @@ class SceneStore {
  public:
   void add(const Scene& scene);
 
+  /// Joint configurations.
   std::size_t sceneCount() const { return scenes_.size(); }
+  /// Of all scenes.
   std::size_t sampleCount() const { return samples_.size(); }
 
   /// A range of the store's agents or samples.

@@ -13,11 +13,11 @@ namespace sylph_training {
 /// What a folder of demonstrations is made of. Each shard is one file of scenes, made from its own
 /// seed, so that several processes can share the work and an interrupted one goes on where it was.
 struct ShardSettings {
-  std::string folder;
-  std::uint32_t seed = 0;  ///< of shard 0; each shard has its own
-  int worlds = 20;         ///< of one shard, > 0
-  WorldSettings world;
-  DemonstrationSettings demonstration;
+  std::string folder;                   ///< of its files
+  std::uint32_t seed = 0;               ///< of shard 0; each shard has its own
+  int worlds = 20;                      ///< of one shard, > 0
+  WorldSettings world;                  ///< what its worlds are drawn from
+  DemonstrationSettings demonstration;  ///< how the expert shows
 };
 
 /// Adds the scenes of one world to a store; false if its expert found no plan.
@@ -26,6 +26,7 @@ using SceneSource = std::function<bool(const sylph::Instance&, sylph::Rng&, Scen
 /// Scenes along the expert's own plans.
 SceneSource expertScenes(const DemonstrationSettings& settings);
 
+/// File of a shard.
 std::string shardPath(const std::string& folder, int index);
 
 /// Makes one shard unless its file is there. Makes the folder if need be.

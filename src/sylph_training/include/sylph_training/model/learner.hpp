@@ -35,10 +35,12 @@ class Learner {
   /// @return the norm of the gradient before it was shortened
   double step(long step, const torch::Tensor& loss);
 
+  /// At a step, from 0.
   double learningRate(long step) const;
 
   /// The optimizer's state; the models' weights are saved by who owns them.
   void save(torch::serialize::OutputArchive& archive) const;
+  /// Takes up what save() wrote.
   void load(torch::serialize::InputArchive& archive);
 
  private:

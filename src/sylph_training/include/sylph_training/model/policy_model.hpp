@@ -17,9 +17,11 @@ struct PolicyInput {
   torch::Tensor memory;   ///< a x memoryWidth()
   torch::Tensor asked;    ///< a: rows of the agents that are asked for, int64; undefined: all
 
+  /// The same on another device.
   PolicyInput to(torch::Device device) const;
 };
 
+/// What the network says of the agents that are asked for.
 struct PolicyOutput {
   torch::Tensor actions;   ///< a x 5 logits
   torch::Tensor svo;       ///< a x svo_levels logits
@@ -54,6 +56,7 @@ class PolicyModelImpl : public torch::nn::Module {
   void setEncoderType(torch::ScalarType type) { encoder_type_ = type; }
   /// Parameters of the value and blocking heads.
   std::vector<torch::Tensor> criticParameters() const;
+  /// Sizes of its layers.
   const sylph::NetworkShape& shape() const { return shape_; }
 
  private:

@@ -16,10 +16,10 @@ namespace sylph_training {
 
 /// What the phases of a run share and hand on to each other.
 struct RunState {
-  TrainingSettings settings;
-  std::string folder;
-  PolicyModel model;    ///< learns
-  PolicyModel average;  ///< running average of its weights: what is exported
+  TrainingSettings settings;  ///< of the whole run
+  std::string folder;         ///< of the run
+  PolicyModel model;          ///< learns
+  PolicyModel average;        ///< running average of its weights: what is exported
 };
 
 /// Figures of some steps, for the log and the progress lines. A phase always names the same ones in
@@ -45,6 +45,7 @@ class Phase {
   /// goes on as the one that saved it, bit for bit. Called only right after a step that had
   /// something for the log.
   virtual void save(torch::serialize::OutputArchive& archive) const = 0;
+  /// Takes up what save() wrote.
   virtual void load(torch::serialize::InputArchive& archive) = 0;
 
   /// Entries for the metadata of the weights.

@@ -13,6 +13,7 @@ namespace sylph_training {
 /// Worlds of one kind that a policy is measured in: 32 x 32 cells, random maps with a fifth of
 /// obstacles, rooms of 3 x 3 with nine tenths of the doors, mazes with a tenth of the walls opened.
 struct MeterWorlds {
+  /// Kind of map.
   enum class Family { Random, Room, Maze };
   Family family = Family::Random;
   int agents = 100;
@@ -39,8 +40,8 @@ struct MeterSettings {
 /// says there in the order of the policy's own SVOs. Decisions are those of agents that are off
 /// their goal or wanted off it. A move gives way if it comes no closer to the goal.
 struct PolicyMeters {
-  int worlds = 0;
-  int solved = 0;
+  int worlds = 0;                 ///< that were played
+  int solved = 0;                 ///< of these, within the steps
   double arrived = 0.0;           ///< share of the agents on their goal at the end
   double cost_ratio = 0.0;        ///< sum of costs over its lower bound, over the solved worlds
   double non_greedy = 0.0;        ///< share of decisions in which the teacher gives way

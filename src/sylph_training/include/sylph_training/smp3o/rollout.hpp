@@ -10,7 +10,7 @@ namespace sylph_training {
 
 /// Steps of one world's agents without interruption.
 struct EpisodePiece {
-  std::int64_t agents = 0;
+  std::int64_t agents = 0;               ///< of the world
   std::vector<std::int64_t> first_rows;  ///< per step: row of the first agent, the others follow
   std::vector<float> end_values;         ///< per agent: value of the state after the last step
 };
@@ -40,6 +40,7 @@ struct Rollout {
   std::vector<EpisodePiece> pieces;
   std::vector<EpisodeRecord> episodes;  ///< those that ended meanwhile
 
+  /// Agent steps.
   std::int64_t rowCount() const { return actions.size(0); }
 };
 

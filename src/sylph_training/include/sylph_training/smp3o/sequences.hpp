@@ -9,9 +9,10 @@ namespace sylph_training {
 
 /// Consecutive steps of one world's agents through which gradients go back.
 struct Sequence {
-  std::int64_t agents = 0;
+  std::int64_t agents = 0;               ///< of the world
   std::vector<std::int64_t> first_rows;  ///< as in EpisodePiece
 
+  /// Agent steps.
   std::int64_t rowCount() const { return agents * static_cast<std::int64_t>(first_rows.size()); }
 };
 

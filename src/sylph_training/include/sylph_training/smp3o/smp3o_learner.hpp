@@ -15,10 +15,10 @@ namespace sylph_training {
 /// How SMP3O learns. Defaults are those of the paper: He et al. 2024 (arXiv:2408.03063), table
 /// "Hyperparameters".
 struct Smp3oLearnerOptions {
-  double gamma = 0.95;   ///< discount, 0 ... 1
-  double lambda = 0.95;  ///< of the advantage estimates, 0 ... 1
-  double clip = 0.2;     ///< of the probability ratios, > 0
-  LossWeights weights;
+  double gamma = 0.95;             ///< discount, 0 ... 1
+  double lambda = 0.95;            ///< of the advantage estimates, 0 ... 1
+  double clip = 0.2;               ///< of the probability ratios, > 0
+  LossWeights weights;             ///< of the parts of the loss
   double stability_kappa = 5.0;    ///< overlap from which on an agent keeps its SVO, > 0
   bool crossed_advantages = true;  ///< each policy learns from the other's reward
   /// Teach the value and blocking heads alone: those of a network that has learned by imitation
@@ -36,9 +36,13 @@ struct Smp3oLearnerOptions {
 
 /// Means over the updates of one rollout.
 struct LearningStatistics {
+  /// Losses of the two policies (clipped surrogate) and of the value.
   double action_policy = 0.0, svo_policy = 0.0, value = 0.0;
+  /// Entropies of the two policies.
   double action_entropy = 0.0, svo_entropy = 0.0;
+  /// Further losses, see LossWeights.
   double valid = 0.0, blocking = 0.0, stability = 0.0;
+  /// Share of clipped ratios, KL divergence from the policy of the rollout, norm before clipping.
   double clipped_share = 0.0, divergence = 0.0, gradient_norm = 0.0;
 };
 
@@ -55,7 +59,9 @@ class Smp3oLearner {
   /// Some epochs over one rollout.
   LearningStatistics update(const Rollout& rollout, sylph::Rng& rng);
 
+  /// What learns.
   PolicyModel& model() { return model_; }
+  /// For checkpoints.
   torch::optim::Adam& optimizer() { return *optimizer_; }
   const torch::optim::Adam& optimizer() const { return *optimizer_; }
 

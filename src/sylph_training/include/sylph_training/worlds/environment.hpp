@@ -12,9 +12,9 @@ namespace sylph_training {
 
 /// Reward of an agent for one step. He et al. 2024 (arXiv:2408.03063), table "Reward Structure".
 struct RewardOptions {
-  double move = -0.3;
-  double stay_off_goal = -0.3;
-  double stay_on_goal = 0.0;
+  double move = -0.3;              ///< to another cell, wherever that leads
+  double stay_off_goal = -0.3;     ///< for each step of waiting
+  double stay_on_goal = 0.0;       ///< for each step at rest
   double collision = -2.0;         ///< instead of the above, for who is to blame
   double blocking = -1.0;          ///< per agent blocked by one that rests on its goal
   int blocking_detour_cells = 10;  ///< a longer way round than this counts as blocked, >= 0
@@ -24,6 +24,7 @@ struct RewardOptions {
   double svo_importance = 2.0;  ///< rho: the social reward is (own + partner's) / rho, > 0
 };
 
+/// Rules of an episode; what is off by default or can be taken away is an ablation.
 struct EnvironmentOptions {
   RewardOptions rewards;
   bool tie_breaking = true;  ///< conflicts by SVO (Alg. 3); else all parties stay and are penalised
@@ -67,12 +68,14 @@ class Environment {
   ~Environment() = default;
 
   const sylph::Instance& instance() const { return instance_; }
+  /// Where each agent is.
   const sylph::Configuration& cells() const { return states_.cells; }
   /// Fixed partners (Alg. 2); an agent without partner is its own.
   const std::vector<sylph::AgentId>& partners() const { return partner_ids_; }
   /// Overlap of an agent's way with its partner's, 0 without partner.
   double partnerOverlap(sylph::AgentId agent) const;
   bool isOnGoal(sylph::AgentId agent) const;
+  /// Agents on their goals now.
   int arrivedCount() const;
   /// Per agent on its goal the number of agents that it blocks there; 0 elsewhere.
   const std::vector<int>& blockedCounts() const { return blocked_; }
@@ -81,8 +84,11 @@ class Environment {
   /// See sylph::ObservationEncoder::encode().
   void encode(sylph::AgentId agent, float* view, float* vector) const;
 
+  /// Of this episode, so far.
   int stepCount() const { return step_count_; }
+  /// Whether all agents are on their goals.
   bool isSolved() const { return arrivedCount() == instance_.agentCount(); }
+  /// Whether the episode is over.
   bool isFinished() const { return isSolved() || step_count_ >= options_.max_steps; }
 
   /// Carries out a joint action, less what would collide.

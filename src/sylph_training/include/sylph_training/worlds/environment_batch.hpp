@@ -29,6 +29,7 @@ enum class SvoFeedback {
   Distribution,  ///< the distribution that it was drawn from, as the planners and the authors do
 };
 
+/// Where SVOs come from, and what the network hears of them.
 struct SvoOptions {
   SvoMode mode = SvoMode::Learned;
   SvoFeedback feedback = SvoFeedback::Distribution;
@@ -39,10 +40,10 @@ using WorldSource = std::function<sylph::Instance(sylph::Rng&)>;
 
 /// How an episode went.
 struct EpisodeRecord {
-  int world = 0;  ///< of the batch
-  int agents = 0;
-  int steps = 0;
-  bool is_solved = false;
+  int world = 0;                 ///< of the batch
+  int agents = 0;                ///< of the world
+  int steps = 0;                 ///< that the episode took
+  bool is_solved = false;        ///< all on their goals at its end
   int arrived = 0;               ///< agents on their goals at the end
   double external_reward = 0.0;  ///< summed over agents and steps
   int blocked = 0;               ///< agents blocked by others that rest, summed over the steps
@@ -65,6 +66,7 @@ struct BatchStep {
 /// network needs to know of all their agents.
 class EnvironmentBatch {
  public:
+  /// Probability of each level.
   using SvoDistribution = std::array<float, sylph::kSvoLevelCount>;
 
   /// @param worlds  > 0
@@ -75,7 +77,9 @@ class EnvironmentBatch {
   int worldCount() const { return static_cast<int>(worlds_.size()); }
   /// Row of each world's first agent, then the number of rows.
   const std::vector<std::int64_t>& firstRows() const { return first_rows_; }
+  /// Agents of all worlds.
   std::int64_t rowCount() const { return first_rows_.back(); }
+  /// @param index  0 ... worldCount() - 1
   const Environment& world(int index) const;
 
   /// Everything but the memory. Views are a x channels x 9 x 9, in the memory the channels last.
