@@ -12,6 +12,7 @@
 
 #include "sylph_planner_node/mission_text.hpp"
 #include "sylph_ros/experiment.hpp"
+#include "sylph_ros/missions.hpp"
 #include "sylph_ros/parameters.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -160,7 +161,7 @@ std::vector<std::string> MissionClient::captureFindings() {
 void MissionClient::sendMission() {
   printed_at_ = Clock::now();
   client_.sendGoal(
-      toGoal(experiment_), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+      sylph_ros::toGoal(experiment_), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
       [this](const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) { onFeedback(feedback); });
 }
 

@@ -10,12 +10,13 @@
 #include <vector>
 
 #include "small_lab.hpp"
-#include "sylph_planner_node/mission_text.hpp"
+#include "sylph_ros/missions.hpp"
 
 namespace sylph_planner_node {
 namespace {
 
 using sylph_msgs::ExecuteMissionGoal;
+using sylph_ros::toGoal;
 
 Mission read(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
   Weights weights(lab.planning.weights_path);

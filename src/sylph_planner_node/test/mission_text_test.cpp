@@ -2,22 +2,10 @@
 
 #include <gtest/gtest.h>
 
-#include "small_lab.hpp"
-
 namespace sylph_planner_node {
 namespace {
 
 using sylph_msgs::ExecuteMissionResult;
-
-TEST(ToGoalTest, AsksForAllRobotsOfTheExperiment) {
-  const auto goal = toGoal(smallLab());
-  EXPECT_EQ(3U, goal.robots.size());
-  EXPECT_EQ(3U, goal.goals.size());
-  EXPECT_EQ(2, goal.goals[1].row);
-  EXPECT_EQ(smallLab().map_path, goal.map);
-  EXPECT_DOUBLE_EQ(0.3, goal.cell_size_m);
-  EXPECT_EQ("lacam", goal.planner);
-}
 
 TEST(ProgressTextTest, CountsAndNamesWhoWaits) {
   sylph_msgs::ExecuteMissionFeedback feedback;
@@ -32,14 +20,11 @@ TEST(ProgressTextTest, CountsAndNamesWhoWaits) {
             progressText(feedback, 8));
 }
 
-TEST(ResultTextTest, NamesEachOutcome) {
+TEST(ResultTextTest, BeginsWithTheOutcome) {
   ExecuteMissionResult result;
   result.outcome = ExecuteMissionResult::NO_POSE;
   result.message = "no pose of robot_1 has come";
   EXPECT_EQ(0U, resultText(result).find("NO_POSE: no pose of robot_1 has come\n"));
-  EXPECT_EQ("SUCCESS", outcomeName(ExecuteMissionResult::SUCCESS));
-  EXPECT_EQ("INCOMPLETE", outcomeName(ExecuteMissionResult::INCOMPLETE));
-  EXPECT_EQ("outcome 99", outcomeName(99));
 }
 
 }  // namespace

@@ -9,8 +9,8 @@
 
 #include "planner_fixture.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
-#include "sylph_planner_node/mission_text.hpp"
 #include "sylph_ros/conversions.hpp"
+#include "sylph_ros/missions.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_planner_node {
@@ -19,6 +19,7 @@ namespace {
 using sylph_msgs::AdgState;
 using sylph_msgs::ExecuteMissionGoal;
 using sylph_msgs::ExecuteMissionResult;
+using sylph_ros::toGoal;
 
 class PlannerNodeTest : public PlannerFixture {};
 

@@ -6,13 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/experiment/experiment.hpp"
-
-/// What sylph_mission tells the operator, and what it asks for.
+/// What sylph_mission tells the operator.
 namespace sylph_planner_node {
-
-/// The mission of an experiment: all its robots to their goals.
-sylph_msgs::ExecuteMissionGoal toGoal(const sylph::Experiment& experiment);
 
 /// One line, e.g. "executing: 31 of 120 tasks, 2 of 8 robots arrived", and one more, indented, per
 /// robot that waits.
@@ -20,9 +15,6 @@ std::string progressText(const sylph_msgs::ExecuteMissionFeedback& feedback, std
 
 /// Several lines: outcome, message, figures.
 std::string resultText(const sylph_msgs::ExecuteMissionResult& result);
-
-/// Name of an outcome of ExecuteMissionResult, e.g. "NO_POSE".
-std::string outcomeName(std::uint8_t outcome);
 
 /// Names joined by ", ", e.g. of the robots that are waited for.
 std::string joinNames(const std::vector<std::string>& names);
