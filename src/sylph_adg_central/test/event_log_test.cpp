@@ -52,7 +52,7 @@ class EventLogTest : public testing::Test {
 TEST_F(EventLogTest, ThereAndBackIsTheIdentity) {
   const std::vector<ExecutionEvent> written = {
       planEvent(),
-      {8, event::Refused{"a ring"}},
+      {8, event::Refused{"a rotation"}},
       {7, event::Abandoned{}},
       {7, event::Released{1, 3}},
       {7, event::Accepted{1, 4}},
@@ -88,7 +88,7 @@ TEST_F(EventLogTest, ThereAndBackIsTheIdentity) {
   EXPECT_EQ(expected.social[0].partners, plan.social[0].partners);
   EXPECT_EQ(15.0F, plan.social[0].svo_deg[0]);
   EXPECT_TRUE(std::isnan(plan.social[0].svo_deg[1]));
-  EXPECT_EQ("a ring", std::get<event::Refused>(at(1)).reason);
+  EXPECT_EQ("a rotation", std::get<event::Refused>(at(1)).reason);
   EXPECT_EQ(1, std::get<event::Released>(at(3)).robot);
   EXPECT_EQ(3, std::get<event::Released>(at(3)).sequence);
   EXPECT_EQ(1, std::get<event::Accepted>(at(4)).robot);

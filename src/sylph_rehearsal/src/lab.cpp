@@ -160,7 +160,7 @@ void Lab::onMode(sylph::ExecutionMode mode) {
   for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
     links_[robot].state.send([this, robot, mode] {
       const sylph::Execution* execution = central_.execution();
-      // What was sent before people resumed is late, and no order to stop any more.
+      // What was sent before the operator resumed is late, and no order to stop any more.
       const bool has_to_stop = mode == sylph::ExecutionMode::Stop && execution != nullptr &&
                                execution->mode() == sylph::ExecutionMode::Stop;
       if (has_to_stop && robots_[robot]->isUp()) {

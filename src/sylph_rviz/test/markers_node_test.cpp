@@ -115,13 +115,13 @@ TEST_F(MarkersNodeTest, PublishesFootprintsOfItsExperiment) {
   const MarkersNode node(ros::NodeHandle("fleet/sylph"), ros::NodeHandle("shipped"));
   double length_m = 0.0;
   const ros::Subscriber footprint = suite_.subscribe<geometry_msgs::PolygonStamped>(
-      "/fleet/robot_7/footprint", 1, [&](const geometry_msgs::PolygonStamped::ConstPtr& message) {
+      "/fleet/alpha/footprint", 1, [&](const geometry_msgs::PolygonStamped::ConstPtr& message) {
         RobotView robot;
         robot.length_m = 0.0;
         setFootprint(robot, *message);
         length_m = robot.length_m;
       });
-  EXPECT_TRUE(waitUntil([&] { return std::abs(length_m - 0.23) < 1e-6; }));
+  EXPECT_TRUE(waitUntil([&] { return std::abs(length_m - 0.21) < 1e-6; }));
 }
 
 TEST_F(MarkersNodeTest, DropsAPoseThatIsNotFinite) {
