@@ -59,7 +59,8 @@ void readTracks(ParameterReader& reader, const std::vector<std::string>& robots,
     tracks.body_from_robot.push_back(
         readPose(bodies.group(robot), "x coordinate of the robot's centre in its rigid body"));
   }
-  reader.read("largest_age_s", tracks.largest_age_s, positive, "older poses are not published");
+  reader.read("largest_age_s", tracks.largest_age_s, positive,
+              "poses with a stamp that is older, or as far ahead, are not published");
   reader.read("frozen_limit_s", tracks.frozen_limit_s, {0.0, 1000.0},
               "a pose that keeps each of its bits for longer is not published, since cameras have "
               "noise; 0: never mind");

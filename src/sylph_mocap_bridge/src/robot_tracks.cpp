@@ -1,5 +1,8 @@
 #include "sylph_mocap_bridge/robot_tracks.hpp"
 
+#include <cmath>
+#include <cstdio>
+#include <string>
 #include <utility>
 
 namespace sylph_mocap_bridge {
@@ -9,16 +12,29 @@ namespace {
 constexpr double kGoodRatio = 0.95;
 
 std::uint64_t badOf(const TrackCounts& counts) {
-  return counts.untracked + counts.malformed + counts.stale + counts.frozen + counts.unordered;
+  return counts.untracked + counts.malformed + counts.stale + counts.ahead + counts.frozen +
+         counts.unordered;
+}
+
+/// A driver on another computer stamps by that one's clock, or by ticks since that one was started.
+std::string offBySeconds(double seconds, const char* direction) {
+  char text[128];
+  std::snprintf(text, sizeof(text),
+                "its stamps are %.3g s %s: the clocks of two computers differ, or the driver "
+                "stamps by another one",
+                seconds, direction);
+  return text;
 }
 
 /// Why most of the bad ones were bad.
-const char* mainCause(const TrackCounts& now, const TrackCounts& before) {
-  std::pair<std::uint64_t, const char*> most{0, "no data"};
+std::string mainCause(const TrackCounts& now, const TrackCounts& before) {
+  std::pair<std::uint64_t, std::string> most{0, "no data"};
   for (const auto& [count, cause] :
-       {std::pair{now.untracked - before.untracked, "the cameras do not track it"},
+       {std::pair<std::uint64_t, std::string>{now.untracked - before.untracked,
+                                              "the cameras do not track it"},
         {now.malformed - before.malformed, "its pose is not a number or no rotation"},
-        {now.stale - before.stale, "its poses come too late"},
+        {now.stale - before.stale, offBySeconds(now.last_age_s, "old")},
+        {now.ahead - before.ahead, offBySeconds(-now.last_age_s, "ahead")},
         {now.frozen - before.frozen, "its pose is frozen"},
         {now.unordered - before.unordered, "its stamps do not advance"}}) {
     if (count > most.first) {
@@ -72,13 +88,13 @@ std::optional<RobotState> RobotTracks::update(const Measurement& measurement, do
     ++counts.unordered;
     return std::nullopt;
   }
-  if (now_s - measurement.stamp_s > options_.largest_age_s) {
-    ++counts.stale;
+  counts.last_age_s = now_s - measurement.stamp_s;
+  if (std::abs(counts.last_age_s) > options_.largest_age_s) {
+    ++(counts.last_age_s > 0.0 ? counts.stale : counts.ahead);
     return std::nullopt;
   }
   ++counts.good;
   counts.last_stamp_s = measurement.stamp_s;
-  counts.last_age_s = now_s - measurement.stamp_s;
   return RobotState{measurement.robot, measurement.stamp_s, *map_from_robot,
                     track.tracker.update(*map_from_robot, measurement.time_s)};
 }

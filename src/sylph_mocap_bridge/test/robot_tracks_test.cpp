@@ -77,6 +77,32 @@ TEST(RobotTracksTest, AnOldPoseIsNoPose) {
   EXPECT_EQ(1U, tracks.counts()[1].stale);
 }
 
+TEST(RobotTracksTest, APoseOfTheFutureIsNoPose) {
+  TracksOptions options = twoRobots();
+  options.largest_age_s = 0.3;
+  RobotTracks tracks(options);
+  EXPECT_FALSE(tracks.update(measuredAt(1.0), 1000.69));
+  EXPECT_TRUE(tracks.update(measuredAt(1.0), 1000.71));
+  EXPECT_EQ(1U, tracks.counts()[1].ahead);
+}
+
+TEST(RobotTracksTest, ADriverWithAnotherClockIsNamed) {
+  RobotTracks tracks(twoRobots());
+  const TrackCounts before = tracks.counts()[1];
+  // Motive's ticks through VRPN: seconds since that computer was started.
+  EXPECT_FALSE(tracks.update(measuredAt(1.0), 1.7e9));
+  EXPECT_EQ(
+      "is not seen: its stamps are 1.7e+09 s old: the clocks of two computers differ, or the "
+      "driver stamps by another one",
+      bodyProblem(tracks.counts()[1], before));
+  EXPECT_FALSE(tracks.update(measuredAt(1.1), 998.1));
+  EXPECT_FALSE(tracks.update(measuredAt(1.2), 998.2));
+  EXPECT_EQ(
+      "is not seen: its stamps are 3 s ahead: the clocks of two computers differ, or the driver "
+      "stamps by another one",
+      bodyProblem(tracks.counts()[1], before));
+}
+
 TEST(RobotTracksTest, APoseThatKeepsEachBitIsFrozen) {
   TracksOptions options = twoRobots();
   options.frozen_limit_s = 0.1;
@@ -103,8 +129,8 @@ TEST(RobotTracksTest, TheProblemOfABodyIsNamed) {
   now.untracked = 4;
   EXPECT_EQ("", bodyProblem(now, before));
   now.untracked = 20;
-  now.stale = 30;
-  EXPECT_EQ("is lost at times: its poses come too late", bodyProblem(now, before));
+  now.unordered = 30;
+  EXPECT_EQ("is lost at times: its stamps do not advance", bodyProblem(now, before));
   now.good = 0;
   now.frozen = 31;
   EXPECT_EQ("is not seen: its pose is frozen", bodyProblem(now, before));

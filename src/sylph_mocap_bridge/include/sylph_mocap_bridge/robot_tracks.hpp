@@ -16,7 +16,7 @@ struct TracksOptions {
   UpAxis up_axis = UpAxis::Z;                  ///< of the cameras
   sylph::Pose2d map_from_mocap;                ///< where the cameras' origin lies on the map
   std::vector<sylph::Pose2d> body_from_robot;  ///< of each robot
-  double largest_age_s = 0.5;                  ///< an older pose is stale, > 0
+  double largest_age_s = 0.5;  ///< an older pose is stale, one of the future no pose, > 0
   /// A pose that keeps each of its bits for longer is frozen: cameras have noise, >= 0, 0: never.
   double frozen_limit_s = 0.1;
   TrackerOptions tracker;  ///< for velocities
@@ -46,10 +46,11 @@ struct TrackCounts {
   std::uint64_t untracked = 0;  ///< not seen by the cameras
   std::uint64_t malformed = 0;  ///< not finite, or no rotation
   std::uint64_t stale = 0;      ///< too old
+  std::uint64_t ahead = 0;      ///< of the future by as much
   std::uint64_t frozen = 0;     ///< the same for too long
   std::uint64_t unordered = 0;  ///< not newer than the one before
   double last_stamp_s = 0.0;    ///< of the last good one
-  double last_age_s = 0.0;      ///< of the last good one when it came
+  double last_age_s = 0.0;      ///< of the last one that was ordered, when it came; < 0: ahead
 };
 
 /// What is wrong with a robot's body, from the counts of now and of a while ago.
