@@ -156,9 +156,9 @@ AgentRows Network::normalized(const Norm& norm, const AgentRows& in) {
 AgentRows Network::finished(const Attention& block, const AgentRows& in,
                             const AgentRows& attended) {
   const AgentRows mixed =
-      normalized(block.after_attention, in + applied(block.out, attended, Activation::None));
-  const AgentRows wide = applied(block.widen, mixed, Activation::Relu);
-  return normalized(block.after_feedforward, mixed + applied(block.narrow, wide, Activation::None));
+      normalized(block.norm1, in + applied(block.out, attended, Activation::None));
+  const AgentRows wide = applied(block.linear1, mixed, Activation::Relu);
+  return normalized(block.norm2, mixed + applied(block.linear2, wide, Activation::None));
 }
 
 // For each row of `queries`, attention over the kHops rows of keys and values of its agent.

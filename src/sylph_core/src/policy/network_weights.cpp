@@ -13,7 +13,7 @@
 namespace sylph {
 namespace {
 
-constexpr char kArchitecture[] = "sylph-1";
+constexpr char kArchitecture[] = "sylph-2";
 constexpr int kPatch = 9;         // pixels of a 3 x 3 convolution
 constexpr int kQuarterCells = 9;  // pixels after the last convolution
 constexpr int kMaxWidth = 4096;
@@ -118,10 +118,14 @@ class Network::Reader {
             Eigen::Map<const Eigen::RowVectorXf>(take(layer + ".bias", {width}).data(), width)};
   }
   Attention attention(const std::string& block, int width) {
-    return {dense(block + ".query", width, width),      dense(block + ".key", width, width),
-            dense(block + ".value", width, width),      dense(block + ".out", width, width),
-            norm(block + ".after_attention", width),    dense(block + ".widen", 2 * width, width),
-            dense(block + ".narrow", width, 2 * width), norm(block + ".after_feedforward", width)};
+    return {dense(block + ".query", width, width),
+            dense(block + ".key", width, width),
+            dense(block + ".value", width, width),
+            dense(block + ".out", width, width),
+            norm(block + ".norm1", width),
+            dense(block + ".linear1", 2 * width, width),
+            dense(block + ".linear2", width, 2 * width),
+            norm(block + ".norm2", width)};
   }
   void requireNothingLeft() const {
     for (const auto& [tensor, values] : file_.tensors) {
@@ -264,7 +268,7 @@ long Network::multiplyAdds() const {
   };
   const auto costOf = [&](const Attention& block, int queries, int keys) {
     return queries *
-               (cost(block.query) + cost(block.out) + cost(block.widen) + cost(block.narrow)) +
+               (cost(block.query) + cost(block.out) + cost(block.linear1) + cost(block.linear2)) +
            keys * (cost(block.key) + cost(block.value));
   };
   constexpr int kHalfCells = 25;

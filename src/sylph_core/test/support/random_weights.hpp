@@ -73,9 +73,9 @@ class RandomWeights {
     for (const std::string part : {"query", "key", "value", "out"}) {
       dense(name + "." + part, width, width);
     }
-    dense(name + ".widen", 2 * width, width);
-    dense(name + ".narrow", width, 2 * width);
-    for (const std::string norm : {"after_attention", "after_feedforward"}) {
+    dense(name + ".linear1", 2 * width, width);
+    dense(name + ".linear2", width, 2 * width);
+    for (const std::string norm : {"norm1", "norm2"}) {
       add(name + "." + norm + ".weight", {width}, 1.0);
       add(name + "." + norm + ".bias", {width}, 1.0);
     }

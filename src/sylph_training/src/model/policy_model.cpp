@@ -49,19 +49,16 @@ class PolicyModelImpl::Block : public nn::Module {
         key(register_module("key", nn::Linear(width, width))),
         value(register_module("value", nn::Linear(width, width))),
         out_(register_module("out", nn::Linear(width, width))),
-        after_attention_(
-            register_module("after_attention", nn::LayerNorm(nn::LayerNormOptions({width})))),
-        widen_(register_module("widen", nn::Linear(width, 2 * width))),
-        narrow_(register_module("narrow", nn::Linear(2 * width, width))),
-        after_feedforward_(
-            register_module("after_feedforward", nn::LayerNorm(nn::LayerNormOptions({width})))) {}
+        norm1_(register_module("norm1", nn::LayerNorm(nn::LayerNormOptions({width})))),
+        linear1_(register_module("linear1", nn::Linear(width, 2 * width))),
+        linear2_(register_module("linear2", nn::Linear(2 * width, width))),
+        norm2_(register_module("norm2", nn::LayerNorm(nn::LayerNormOptions({width})))) {}
 
   torch::Tensor finish(const torch::Tensor& in, const torch::Tensor& attended) {
     // Layer normalisation wants its own precision, also where the rest runs in bfloat16.
-    const torch::Tensor mixed =
-        after_attention_->forward((in + out_->forward(attended)).to(torch::kFloat));
-    const torch::Tensor fed = narrow_->forward(torch::relu(widen_->forward(mixed)));
-    return after_feedforward_->forward((mixed + fed).to(torch::kFloat));
+    const torch::Tensor mixed = norm1_->forward((in + out_->forward(attended)).to(torch::kFloat));
+    const torch::Tensor fed = linear2_->forward(torch::relu(linear1_->forward(mixed)));
+    return norm2_->forward((mixed + fed).to(torch::kFloat));
   }
 
   // Queries (n x q x width) over keys and values made of `known` (n x k x width).
@@ -79,9 +76,9 @@ class PolicyModelImpl::Block : public nn::Module {
 
  private:
   nn::Linear out_;
-  nn::LayerNorm after_attention_;
-  nn::Linear widen_, narrow_;
-  nn::LayerNorm after_feedforward_;
+  nn::LayerNorm norm1_;
+  nn::Linear linear1_, linear2_;
+  nn::LayerNorm norm2_;
 };
 
 PolicyModelImpl::PolicyModelImpl(const sylph::NetworkShape& shape, Decoder decoder)

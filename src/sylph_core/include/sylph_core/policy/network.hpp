@@ -92,9 +92,9 @@ class Network {
   };
   struct Attention {
     DenseLayer query, key, value, out;
-    Norm after_attention;
-    DenseLayer widen, narrow;
-    Norm after_feedforward;
+    Norm norm1;
+    DenseLayer linear1, linear2;
+    Norm norm2;
   };
   class Reader;
 
