@@ -1,6 +1,7 @@
 #include "sylph_training/imitation/scene_store.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <cstring>
 #include <filesystem>
@@ -153,6 +154,9 @@ void SceneStore::save(const std::string& path) const {
 
 void SceneStore::load(const std::string& path) {
   std::ifstream stream(path, std::ios::binary);
+  if (!stream) {
+    throw std::runtime_error(path + ": cannot be opened: " + std::strerror(errno));
+  }
   Header header;
   header.format = {};
   read(stream, &header, 1);

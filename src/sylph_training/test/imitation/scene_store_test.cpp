@@ -85,6 +85,17 @@ TEST(SceneStoreTest, DamagedFilesAreRefused) {
   EXPECT_EQ(0U, store.sceneCount());
 }
 
+TEST(SceneStoreTest, AFileThatIsNotThereIsNoFileOfAnotherVersion) {
+  const sylph::TemporaryFolder folder;
+  try {
+    SceneStore().load(folder.path("scenes"));
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ(folder.path("scenes") + ": cannot be opened: No such file or directory",
+              std::string(error.what()));
+  }
+}
+
 TEST(SceneStoreTest, RowsOutOfRangeAreRefused) {
   const sylph::TemporaryFolder folder;
   Scene sound;
