@@ -136,7 +136,9 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, Rng& 
   ++calls_;
   PolicyStep step;
   step.actions = std::move(output.actions);
+  step.by_cost = std::move(output.by_cost);
   silenceUnlessFinite(step.actions);
+  silenceUnlessFinite(step.by_cost);
   silenceUnlessFinite(output.svo);
   step.svo = svo_choice_ == SvoChoice::Waiting ? std::move(input.svo) : softmax(output.svo);
   step.waited = std::move(states.waited);

@@ -90,7 +90,7 @@ std::unique_ptr<JointSteps> PolicyGenerator::enter(const Vertices& configuration
       selfishFirst(step.social.svo_deg, priorities, start_distances_);
   return std::make_unique<PolicyGuidedSteps>(
       PibtSteps(pibt_, distance_ranking_, configuration, orderByPriority(priorities, tie_breaks)),
-      PolicyRanking(*problem_, settings_, step.actions, priorities, *rng_), pibt_, configuration,
+      PolicyRanking(*problem_, settings_, step.by_cost, priorities, *rng_), pibt_, configuration,
       patience_.steps);
 }
 

@@ -112,6 +112,21 @@ TEST_P(PolicyPlannersTest, CountTheNetworksCalls) {
 
 INSTANTIATE_TEST_SUITE_P(All, PolicyPlannersTest, ::testing::ValuesIn(kPolicyPlanners));
 
+// Two ways of the same length lead to the goal.
+TEST(PolicyHeadsTest, PlannersThatSearchAskTheCostHeadAndSylphTheOther) {
+  const Instance instance{Grid(2, 2), {{0, 0}}, {{1, 1}}, {}};
+  TensorFile weights = RandomWeights(smallShape(), 1).file();
+  weights.tensors["heads.action.bias"].values[static_cast<std::size_t>(Action::East)] = 50.F;
+  weights.tensors["heads.cost.linear2.bias"].values[static_cast<std::size_t>(Action::South)] = 50.F;
+  const auto policy = std::make_shared<const Policy>(weights, "opposed heads");
+  const auto firstCell = [&](const std::string& planner) {
+    Rng rng(1);
+    return makePlanner(planner, policy)->plan(instance, {30.0, 60, true}, rng).plan.at(1)[0];
+  };
+  EXPECT_EQ((Cell{0, 1}), firstCell("sylph"));
+  EXPECT_EQ((Cell{1, 0}), firstCell("sylph_pibt"));
+}
+
 /// LaCAM by the policy alone, without the planner's search by distance.
 Lacam::Status searchByPolicy(const Instance& instance, const Policy& policy, Rng& rng) {
   const SearchProblem problem(instance);

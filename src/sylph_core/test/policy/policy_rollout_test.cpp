@@ -119,14 +119,28 @@ TEST_F(PolicyRolloutTest, ThreadsChangeNothing) {
   EXPECT_EQ(firstStep(alone).actions, firstStep(together).actions);
 }
 
+TEST_F(PolicyRolloutTest, WithoutACostHeadASearchIsToldWhatTheOthersAre) {
+  auto walk = rollout();
+  PolicyStep step = firstStep(walk);
+  EXPECT_NE(step.actions, step.by_cost);
+  NetworkShape shape = smallShape();
+  shape.cost_width = 0;
+  policy_ = std::make_shared<const Policy>(RandomWeights(shape, 1).file(), "no cost head");
+  auto other_walk = rollout();
+  step = firstStep(other_walk);
+  EXPECT_EQ(step.actions, step.by_cost);
+}
+
 TEST_F(PolicyRolloutTest, WeightsThatOverflowSayNothing) {
   TensorFile weights = RandomWeights(smallShape(), 1).file();
   weights.tensors["heads.action.bias"].values[2] = std::numeric_limits<float>::infinity();
+  weights.tensors["heads.cost.linear2.bias"].values[4] = std::numeric_limits<float>::infinity();
   weights.tensors["heads.svo.bias"].values[0] = std::numeric_limits<float>::quiet_NaN();
   policy_ = std::make_shared<const Policy>(weights, "overflowing");
   auto walk = rollout();
   const PolicyStep step = firstStep(walk);
   EXPECT_TRUE(step.actions.isZero());
+  EXPECT_TRUE(step.by_cost.isZero());
   EXPECT_FLOAT_EQ(22.5F, step.social.svo_deg[0]);
 }
 

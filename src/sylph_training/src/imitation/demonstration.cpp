@@ -101,8 +101,7 @@ class SceneMaker {
     std::vector<std::size_t> drawn;
     for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
       const bool rests = cells[agent] == goals_[agent] && actions[agent] == Action::Stay;
-      if (settings_->only_ties ? choicesOf(agent, cells[agent]) >= 2
-                               : !rests || sylph::drawFraction(*rng_) < settings_->rest_share) {
+      if (!rests || sylph::drawFraction(*rng_) < settings_->rest_share) {
         drawn.push_back(agent);
       }
     }
@@ -125,14 +124,6 @@ class SceneMaker {
       }
     }
     return waited;
-  }
-
-  // Moves that come closer to the goal.
-  int choicesOf(std::size_t agent, const Cell& cell) const {
-    const int here = distances_[agent].at(cell);
-    return static_cast<int>(std::count_if(
-        sylph::kActions.begin(), sylph::kActions.end(),
-        [&](Action action) { return distances_[agent].at(neighbor(cell, action)) < here; }));
   }
 
   const DemonstrationSettings* settings_;

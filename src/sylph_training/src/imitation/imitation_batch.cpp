@@ -29,21 +29,28 @@ Flags greedyMoves(const Sample& sample) {
   return is_greedy;
 }
 
-/// Which actions the label compares: all, or only those that come closer to the goal.
-Flags compared(const Sample& sample) {
-  if (sample.only_ties != 0) {
-    return greedyMoves(sample);
-  }
+Flags allMoves() {
   Flags all;
   all.fill(true);
   return all;
 }
 
-/// The distribution to learn, in the order of Action.
-std::array<double, kActionCount> labelOf(const Sample& sample, const LabelSettings& labels) {
+/// Which actions the label compares: all, or only those that come closer to the goal.
+Flags compared(const Sample& sample) {
+  return sample.only_ties != 0 ? greedyMoves(sample) : allMoves();
+}
+
+bool isVoted(const Sample& sample) {
+  return std::any_of(sample.votes.begin(), sample.votes.end(),
+                     [](std::uint8_t votes) { return votes > 0; });
+}
+
+using Label = std::array<double, kActionCount>;
+
+/// The distribution to learn among the actions that are compared, in the order of Action.
+Label labelOf(const Sample& sample, const Flags& is_compared, const LabelSettings& labels) {
   const double votes = std::accumulate(sample.votes.begin(), sample.votes.end(), 0.0);
-  const Flags is_compared = compared(sample);
-  std::array<double, kActionCount> label{};
+  Label label{};
   double sum = 0.0;
   for (std::size_t action = 0; action < kActionCount; ++action) {
     const int regret = sample.regrets[action];
@@ -79,15 +86,16 @@ void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSetti
   const auto rowOf = [&](torch::Tensor& tensor) {
     return tensor.data_ptr<float>() + row * static_cast<std::int64_t>(kActionCount);
   };
-  const std::array<double, kActionCount> label = labelOf(sample, labels);
   const Flags is_compared = compared(sample);
-  const bool is_voted = std::any_of(sample.votes.begin(), sample.votes.end(),
-                                    [](std::uint8_t votes) { return votes > 0; });
+  const Label label = labelOf(sample, is_compared, labels);
+  const bool is_voted = isVoted(sample);
+  const Label by_cost = is_voted ? Label{} : labelOf(sample, allMoves(), labels);
   const Flags is_greedy = is_voted ? greedyMoves(sample) : Flags{};
   for (const sylph::Action action : sylph::kActions) {
     const auto index = static_cast<std::size_t>(action);
     const auto image = static_cast<std::size_t>(symmetry.apply(action));
     rowOf(batch.targets)[image] = static_cast<float>(label[index]);
+    rowOf(batch.cost_targets)[image] = static_cast<float>(by_cost[index]);
     rowOf(batch.is_compared)[image] = is_compared[index] ? 1.F : 0.F;
     rowOf(batch.is_alike)[image] = is_greedy[index] ? 1.F : 0.F;
     rowOf(batch.is_best)[image] = sample.regrets[index] == 0 ? 1.F : 0.F;
@@ -102,8 +110,9 @@ void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSetti
 ImitationBatch ImitationBatch::to(torch::Device device) const {
   ImitationBatch moved = *this;
   moved.input = input.to(device);
-  for (torch::Tensor* tensor : {&moved.targets, &moved.is_compared, &moved.is_alike, &moved.actions,
-                                &moved.is_best, &moved.is_valid, &moved.svo_targets}) {
+  for (torch::Tensor* tensor :
+       {&moved.targets, &moved.is_compared, &moved.is_alike, &moved.actions, &moved.is_best,
+        &moved.is_valid, &moved.cost_targets, &moved.svo_targets}) {
     *tensor = tensor->to(device);
   }
   return moved;
@@ -130,6 +139,7 @@ ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelS
   batch.is_valid = torch::empty({samples, kActionCount});
   batch.is_compared = torch::empty({samples, kActionCount});
   batch.is_alike = torch::empty({samples, kActionCount});
+  batch.cost_targets = torch::empty({samples, kActionCount});
   batch.svo_targets = torch::empty({samples, sylph::kSvoLevelCount});
   std::vector<std::int64_t> partners;
   partners.reserve(static_cast<std::size_t>(agents));

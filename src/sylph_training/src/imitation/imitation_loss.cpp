@@ -15,6 +15,16 @@ torch::Tensor withAlikeAsOne(const torch::Tensor& log_probabilities,
   return torch::where(is_alike > 0.5, together, log_probabilities);
 }
 
+/// 1 for samples whose label tells something, a.
+torch::Tensor isTold(const torch::Tensor& targets) {
+  return (targets.sum(1) > 0.0).to(torch::kFloat);
+}
+
+/// Mean over the rows of which `mask` is 1; 0 if there are none.
+torch::Tensor meanWhere(const torch::Tensor& mask, const torch::Tensor& rows) {
+  return (mask * rows).sum() / mask.sum().clamp_min(1.0);
+}
+
 }  // namespace
 
 ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
@@ -22,8 +32,9 @@ ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
   const PolicyOutput output = model->forward(batch.input);
   const torch::Tensor compared = output.actions - kOutOfQuestion * (1.0 - batch.is_compared);
   const torch::Tensor log_probabilities = torch::log_softmax(compared, 1);
-  const torch::Tensor cross_entropy =
-      -(batch.targets * withAlikeAsOne(log_probabilities, batch.is_alike)).sum(1).mean();
+  const torch::Tensor is_told = isTold(batch.targets);
+  const torch::Tensor cross_entropy = meanWhere(
+      is_told, -(batch.targets * withAlikeAsOne(log_probabilities, batch.is_alike)).sum(1));
   const torch::Tensor svo = -(batch.svo_targets * torch::log_softmax(output.svo, 1)).sum(1).mean();
   ImitationLoss loss;
   loss.total = cross_entropy + settings.svo_weight * svo;
@@ -31,11 +42,25 @@ ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
     loss.total = loss.total + settings.valid_weight * F::binary_cross_entropy_with_logits(
                                                           output.actions, batch.is_valid);
   }
+  const auto isBest = [&](const torch::Tensor& action) {
+    return batch.is_best.gather(1, action.unsqueeze(1)).squeeze(1);
+  };
   const torch::Tensor likeliest = compared.detach().argmax(1);
+  loss.told = is_told.sum().item<double>();
   loss.cross_entropy = cross_entropy.item<double>();
-  loss.accuracy = (likeliest == batch.actions).to(torch::kFloat).mean().item<double>();
-  loss.best = batch.is_best.gather(1, likeliest.unsqueeze(1)).mean().item<double>();
+  loss.accuracy = meanWhere(is_told, (likeliest == batch.actions).to(torch::kFloat)).item<double>();
+  loss.best = meanWhere(is_told, isBest(likeliest)).item<double>();
+  loss.samples = static_cast<double>(batch.sampleCount());
   loss.svo = svo.item<double>();
+  if (output.by_cost.defined()) {
+    const torch::Tensor by_expert = isTold(batch.cost_targets);
+    const torch::Tensor cost =
+        meanWhere(by_expert, -(batch.cost_targets * torch::log_softmax(output.by_cost, 1)).sum(1));
+    loss.total = settings.only_cost_head ? cost : loss.total + settings.cost_weight * cost;
+    loss.by_expert = by_expert.sum().item<double>();
+    loss.cost = cost.item<double>();
+    loss.cost_best = meanWhere(by_expert, isBest(output.by_cost.detach().argmax(1))).item<double>();
+  }
   return loss;
 }
 

@@ -22,6 +22,46 @@ int readCount(const sylph::YamlMap& yaml, const std::string& key, int otherwise)
   return static_cast<int>(yaml.integer(key, otherwise, 1, 1000000000));
 }
 
+/// Adds a batch's measures, each times the samples that it is of.
+void addWeighed(const ImitationLoss& batch, ImitationLoss& sum) {
+  sum.told += batch.told;
+  sum.cross_entropy += batch.told * batch.cross_entropy;
+  sum.accuracy += batch.told * batch.accuracy;
+  sum.best += batch.told * batch.best;
+  sum.samples += batch.samples;
+  sum.svo += batch.samples * batch.svo;
+  sum.by_expert += batch.by_expert;
+  sum.cost += batch.by_expert * batch.cost;
+  sum.cost_best += batch.by_expert * batch.cost_best;
+}
+
+ImitationLoss meansOf(ImitationLoss sum) {
+  const double told = std::max(1.0, sum.told);
+  const double samples = std::max(1.0, sum.samples);
+  const double by_expert = std::max(1.0, sum.by_expert);
+  sum.cross_entropy /= told;
+  sum.accuracy /= told;
+  sum.best /= told;
+  sum.svo /= samples;
+  sum.cost /= by_expert;
+  sum.cost_best /= by_expert;
+  return sum;
+}
+
+/// The model with gradients for what is to learn.
+PolicyModel learningModel(const ImitationSettings& settings, RunState& state) {
+  const auto cost_head = state.model->costParameters();
+  if (settings.only_cost_head && cost_head.empty()) {
+    throw std::runtime_error(
+        "only_cost_head: the network has no cost head: its cost_width must be greater than 0");
+  }
+  state.model->requireGradients(!settings.only_cost_head);
+  for (torch::Tensor parameter : cost_head) {
+    parameter.set_requires_grad(true);
+  }
+  return state.model;
+}
+
 }  // namespace
 
 ImitationSettings ImitationSettings::read(const sylph::YamlMap& yaml) {
@@ -45,6 +85,9 @@ ImitationSettings ImitationSettings::read(const sylph::YamlMap& yaml) {
   settings.valid_weight =
       yaml.number("valid_weight", settings.valid_weight, sylph::Range::atLeast(0.0));
   settings.svo_weight = yaml.number("svo_weight", settings.svo_weight, sylph::Range::atLeast(0.0));
+  settings.cost_weight =
+      yaml.number("cost_weight", settings.cost_weight, sylph::Range::atLeast(0.0));
+  settings.only_cost_head = yaml.boolean("only_cost_head", settings.only_cost_head);
   settings.labels.expert_share =
       yaml.number("expert_share", settings.labels.expert_share, {0.0, 1.0});
   settings.labels.regret_scale =
@@ -64,13 +107,16 @@ void ImitationPhase::Source::load(int count) {
 ImitationPhase::ImitationPhase(const ImitationSettings& settings, RunState& state)
     : settings_(settings),
       state_(&state),
-      learner_(settings.learner, settings.steps, state.model, state.average),
+      learner_(settings.learner, settings.steps, learningModel(settings, state), state.average),
       rng_(state.settings.seed + kRngOffset) {
-  setEncoderType(encoderType(settings.precision, state.model, state.settings.device));
   if (settings.meters) {
     metered_.assign(meterWorlds().size() * kMetered.size(), 0.0);
   }
-  const auto prepare = [](const ShardSettings& shards, int count, Source& source) {
+}
+
+void ImitationPhase::prepare() {
+  setEncoderType(encoderType(settings_.precision, state_->model, state_->settings.device));
+  const auto fill = [](const ShardSettings& shards, int count, Source& source) {
     const SceneSource scenes = expertScenes(shards.demonstration);
     for (int shard = 0; shard < count; ++shard) {
       makeShard(shards, shard, scenes);
@@ -78,14 +124,14 @@ ImitationPhase::ImitationPhase(const ImitationSettings& settings, RunState& stat
     source.folder = shards.folder;
     source.load(count);
   };
-  if (settings.reactive) {
+  const bool has_demonstrations = !settings_.reactive || settings_.reactive->share < 1.0;
+  if (settings_.reactive) {
     prepareReactive();
-  } else {
-    prepare(validationShards(state.settings, state.folder), state.settings.validation_shards,
-            validation_);
   }
-  if (!settings.reactive || settings.reactive->share < 1.0) {
-    prepare(trainingShards(state.settings, state.folder), settings.first_shards, demonstrations_);
+  if (has_demonstrations) {
+    fill(validationShards(state_->settings, state_->folder), state_->settings.validation_shards,
+         settings_.reactive ? cost_validation_ : validation_);
+    fill(trainingShards(state_->settings, state_->folder), settings_.first_shards, demonstrations_);
   }
 }
 
@@ -168,14 +214,19 @@ std::optional<Figures> ImitationPhase::step(long step) {
   const double norm = learner_.step(step, loss.total);
   samples_seen_ += batch.sampleCount();
   if ((step + 1) % settings_.validation_steps == 0 || step + 1 == settings_.steps) {
-    validate();
+    validated_ = validate(validation_);
+    if (!cost_validation_.shards.empty()) {
+      const ImitationLoss by_expert = validate(cost_validation_);
+      validated_.cost = by_expert.cost;
+      validated_.cost_best = by_expert.cost_best;
+    }
   }
   if (settings_.meters &&
       ((step + 1) % settings_.meter_steps == 0 || step + 1 == settings_.steps)) {
     readMeters();
   }
-  const std::vector<double> measured = {loss.cross_entropy, loss.accuracy, loss.best, loss.svo,
-                                        norm};
+  const std::vector<double> measured = {loss.cross_entropy, loss.accuracy,  loss.best, loss.svo,
+                                        loss.cost,          loss.cost_best, norm};
   sums_.resize(measured.size(), 0.0);
   std::transform(measured.begin(), measured.end(), sums_.begin(), sums_.begin(), std::plus<>());
   ++summed_;
@@ -190,11 +241,15 @@ std::optional<Figures> ImitationPhase::step(long step) {
                      {"accuracy", mean(1)},
                      {"best", mean(2)},
                      {"svo", mean(3)},
-                     {"gradient_norm", mean(4)},
+                     {"cost", mean(4)},
+                     {"cost_best", mean(5)},
+                     {"gradient_norm", mean(6)},
                      {"validation_cross_entropy", validated_.cross_entropy},
                      {"validation_accuracy", validated_.accuracy},
                      {"validation_best", validated_.best},
-                     {"validation_svo", validated_.svo}};
+                     {"validation_svo", validated_.svo},
+                     {"validation_cost", validated_.cost},
+                     {"validation_cost_best", validated_.cost_best}};
   for (std::size_t index = 0; index < metered_.size(); ++index) {
     figures.emplace_back("meter_" + meterWorlds()[index / kMetered.size()].name() + "_" +
                              kMetered[index % kMetered.size()],
@@ -218,39 +273,26 @@ void ImitationPhase::readMeters() {
   }
 }
 
-void ImitationPhase::validate() {
+ImitationLoss ImitationPhase::validate(const Source& source) {
   const torch::NoGradGuard no_grad;
   ImitationLoss sum;
-  int samples = 0;
-  for (const SceneStore& store : validation_.shards) {
-    const int wanted = settings_.validation_samples / static_cast<int>(validation_.shards.size());
+  const int wanted = settings_.validation_samples / static_cast<int>(source.shards.size());
+  for (const SceneStore& store : source.shards) {
     std::vector<Pick> picks;
-    int drawn = 0;
     // Scenes of one world stand together: take some from all over the shard.
     const std::size_t stride = 1 + store.sampleCount() / static_cast<std::size_t>(wanted);
     for (std::size_t scene = 0; scene < store.sceneCount(); scene += stride) {
       picks.push_back({&store, scene, 0});
-      drawn += static_cast<int>(store.samples(scene).count);
       if (picks.size() == 64 || scene + stride >= store.sceneCount()) {
         const ImitationBatch batch =
             makeBatch(picks, state_->model->shape().width, settings_.labels)
                 .to(state_->settings.device);
-        const ImitationLoss loss = imitationLoss(state_->average, batch, settings_);
-        sum.cross_entropy += loss.cross_entropy * drawn;
-        sum.accuracy += loss.accuracy * drawn;
-        sum.best += loss.best * drawn;
-        sum.svo += loss.svo * drawn;
-        samples += drawn;
-        drawn = 0;
+        addWeighed(imitationLoss(state_->average, batch, settings_), sum);
         picks.clear();
       }
     }
   }
-  validated_ = {{},
-                sum.cross_entropy / samples,
-                sum.accuracy / samples,
-                sum.best / samples,
-                sum.svo / samples};
+  return meansOf(sum);
 }
 
 void ImitationPhase::save(torch::serialize::OutputArchive& archive) const {
@@ -261,9 +303,10 @@ void ImitationPhase::save(torch::serialize::OutputArchive& archive) const {
   archive.write("samples_seen", c10::IValue(static_cast<std::int64_t>(samples_seen_)));
   archive.write("bfloat16", c10::IValue(encoder_type_ == torch::kBFloat16));
   archive.write("metered", torch::tensor(metered_, torch::kDouble));
-  archive.write("validated", torch::tensor({validated_.cross_entropy, validated_.accuracy,
-                                            validated_.best, validated_.svo},
-                                           torch::kDouble));
+  archive.write("validated",
+                torch::tensor({validated_.cross_entropy, validated_.accuracy, validated_.best,
+                               validated_.svo, validated_.cost, validated_.cost_best},
+                              torch::kDouble));
 }
 
 void ImitationPhase::load(torch::serialize::InputArchive& archive) {
@@ -290,14 +333,27 @@ void ImitationPhase::load(torch::serialize::InputArchive& archive) {
   metered_.assign(metered.data_ptr<double>(), metered.data_ptr<double>() + metered.numel());
   torch::Tensor validated;
   archive.read("validated", validated);
+  constexpr std::int64_t kValidated = 6;
+  if (validated.numel() != kValidated) {
+    throw std::runtime_error("the checkpoint is of another version of the trainer: its phase has " +
+                             std::to_string(validated.numel()) + " figures of validation, not " +
+                             std::to_string(kValidated));
+  }
   validated = validated.to(torch::kCPU);
   const double* figures = validated.data_ptr<double>();
-  validated_ = {{}, figures[0], figures[1], figures[2], figures[3]};
+  validated_ = ImitationLoss();
+  validated_.cross_entropy = figures[0];
+  validated_.accuracy = figures[1];
+  validated_.best = figures[2];
+  validated_.svo = figures[3];
+  validated_.cost = figures[4];
+  validated_.cost_best = figures[5];
 }
 
 std::map<std::string, std::string> ImitationPhase::notes() const {
   return {{"imitation_samples", std::to_string(samples_seen_)},
           {"validation_best", std::to_string(validated_.best)},
+          {"validation_cost_best", std::to_string(validated_.cost_best)},
           {"precision", nameOf(encoder_type_)},
           {"memory", "false"}};
 }

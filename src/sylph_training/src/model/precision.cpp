@@ -48,7 +48,12 @@ double measureLearningRate(PolicyModel& model, torch::ScalarType type, torch::De
   double seconds = std::numeric_limits<double>::infinity();
   for (int repetition = 0; repetition < kRepetitions; ++repetition) {
     const sylph::Deadline clock(0.0);
-    model->forward(input).actions.sum().backward();
+    const PolicyOutput output = model->forward(input);
+    torch::Tensor loss = output.actions.sum();
+    if (output.by_cost.defined()) {
+      loss = loss + output.by_cost.sum();  // all that there may be a gradient of
+    }
+    loss.backward();
     seconds = std::min(seconds, clock.elapsed());
   }
   model->zero_grad();

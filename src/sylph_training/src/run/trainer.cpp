@@ -146,6 +146,7 @@ bool Trainer::runPhase(std::size_t phase_index, const std::atomic<bool>& stop) {
   const sylph::YamlMap& yaml = state_.settings.phases[phase_index];
   const std::string kind = yaml.text("kind");
   const auto phase = makePhase(yaml, state_);
+  phase->prepare();
   if (is_resumed_) {
     torch::serialize::InputArchive archive;
     torch::serialize::InputArchive part;

@@ -162,7 +162,13 @@ PolicyOutput Smp3oLearner::decide(const Rollout& rollout, const SequenceLayout& 
     memory = output.memory;
     first += count;
   }
-  return {torch::cat(actions), torch::cat(svo), torch::cat(values), torch::cat(blocking), memory};
+  PolicyOutput decided;
+  decided.actions = torch::cat(actions);
+  decided.svo = torch::cat(svo);
+  decided.values = torch::cat(values);
+  decided.blocking = torch::cat(blocking);
+  decided.memory = memory;
+  return decided;
 }
 
 LossTerms Smp3oLearner::evaluate(const Rollout& rollout, const Estimates& estimates,

@@ -20,6 +20,7 @@ constexpr std::array<const char*, 4> kValidated = {"solved", "goals_reached", "e
 /// The model, with what the phase before would have exported.
 PolicyModel& prepared(RunState& state, const Smp3oSettings& settings) {
   copyWeights(state.average, state.model);
+  state.model->requireGradients(true);
   const auto type = encoderType(settings.precision, state.model, state.settings.device);
   state.model->setEncoderType(type);
   state.average->setEncoderType(type);
@@ -35,6 +36,12 @@ Smp3oPhase::Smp3oPhase(const Smp3oSettings& settings, RunState& state)
       rng_(state.settings.seed + kRngOffset) {
   if (settings.imitation_rate > 0.0) {
     imitation_ = std::make_unique<ImitationPhase>(*settings.imitation, state);
+  }
+}
+
+void Smp3oPhase::prepare() {
+  if (imitation_) {
+    imitation_->prepare();
   }
 }
 

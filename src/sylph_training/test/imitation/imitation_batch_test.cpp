@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "sylph_training/imitation/imitation_phase.hpp"
+
 namespace sylph_training {
 namespace {
 
@@ -51,6 +53,7 @@ TEST(ImitationBatchTest, LabelsAreTheSharesOfTheTeachersVotes) {
   const ImitationBatch batch = makeBatch({{&store, 0, 0}}, 8, {0.5, 0.25});
   EXPECT_TRUE(torch::equal(batch.targets, torch::tensor({{0.25F, 0.F, 0.75F, 0.F, 0.F}})));
   EXPECT_TRUE(torch::equal(batch.is_alike, torch::tensor({{0.F, 0.F, 1.F, 1.F, 0.F}})));
+  EXPECT_TRUE(torch::equal(batch.cost_targets, torch::zeros({1, 5}))) << "votes tell of no cost";
 }
 
 TEST(ImitationBatchTest, TiesTellOnlyOfMovesThatComeCloser) {
@@ -62,6 +65,41 @@ TEST(ImitationBatchTest, TiesTellOnlyOfMovesThatComeCloser) {
   const ImitationBatch batch = makeBatch({{&store, 0, 0}}, 8, {0.5, 0.25});
   EXPECT_TRUE(torch::allclose(batch.targets, torch::tensor({{0.F, 0.F, 0.5F, 0.5F, 0.F}})));
   EXPECT_TRUE(torch::equal(batch.is_compared, torch::tensor({{0.F, 0.F, 1.F, 1.F, 0.F}})));
+}
+
+TEST(ImitationBatchTest, CostLabelsTellOfAllMoves) {
+  SceneStore store;
+  store.add(pairScene());
+  Scene scene = pairScene();
+  scene.samples[0].only_ties = 1;
+  store.add(scene);
+  const ImitationBatch batch = makeBatch({{&store, 0, 0}, {&store, 1, 0}}, 8, {0.5, 0.25});
+  EXPECT_TRUE(torch::equal(batch.cost_targets[0], batch.targets[0]));
+  EXPECT_TRUE(torch::equal(batch.cost_targets[0], batch.cost_targets[1]));
+}
+
+TEST(ImitationLossTest, WhatTellsAHeadNothingDoesNotCount) {
+  SceneStore store;
+  store.add(pairScene());
+  Scene voted = pairScene();
+  voted.samples[0].votes = {0, 0, 4, 0, 0};
+  store.add(voted);
+  Scene without_choice = pairScene();
+  without_choice.samples[0].only_ties = 1;
+  without_choice.samples[0].view[kCentre] = 0;
+  store.add(without_choice);
+  torch::manual_seed(3);
+  PolicyModel model((sylph::NetworkShape()));
+  const auto lossOf = [&](const std::vector<Pick>& picks) {
+    return imitationLoss(model, makeBatch(picks, 128, {}), ImitationSettings());
+  };
+  const ImitationLoss all = lossOf({{&store, 0, 0}, {&store, 1, 0}, {&store, 2, 0}});
+  EXPECT_EQ(2.0, all.told);
+  EXPECT_EQ(2.0, all.by_expert);
+  EXPECT_EQ(3.0, all.samples);
+  EXPECT_NEAR(lossOf({{&store, 0, 0}, {&store, 1, 0}}).cross_entropy, all.cross_entropy, 1e-5);
+  EXPECT_NEAR(lossOf({{&store, 0, 0}, {&store, 2, 0}}).cost, all.cost, 1e-5);
+  EXPECT_EQ(0.0, lossOf({{&store, 1, 0}}).by_expert);
 }
 
 TEST(ImitationBatchTest, SvosAreWhatAllSeeAndTargetsWhatWaitingGives) {

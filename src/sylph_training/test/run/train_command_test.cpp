@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "sylph_core/policy/policy.hpp"
+#include "sylph_core/policy/tensor_file.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace {
@@ -19,7 +20,7 @@ checkpoint_interval_s: 0.001
 shards: 2
 validation_shards: 1
 worlds_per_shard: 2
-network: {near_width: 4, far_width: 4, goal_width: 4, message_width: 4, width: 16, semantic_tokens: 4}
+network: {near_width: 4, far_width: 4, goal_width: 4, message_width: 4, width: 16, semantic_tokens: 4, cost_width: 8}
 worlds: {side: [10, 11], usual_side: [10, 11], most_agents: 20}
 demonstrations: {improvement_s: 0.01, samples_per_world: 100}
 phases:
@@ -113,6 +114,23 @@ TEST_F(TrainCommandTest, AKilledRunGoesOnAsIfNothingHadHappened) {
 TEST_F(TrainCommandTest, SoDoesOneThatTheReactiveTeacherLabels) {
   std::string config = kConfig;
   expectKilledRunGoesOn(config.replace(config.rfind('}'), 1, kReactive));
+}
+
+TEST_F(TrainCommandTest, OnlyTheCostHeadLearnsWhereThatIsAsked) {
+  folder_.write("config.yaml", kConfig);
+  ASSERT_EQ(0, wait(start(train("first"), output()))) << read(output());
+  const std::string weights = folder_.path("first/weights.safetensors");
+  std::string config = kConfig;
+  folder_.write("config.yaml", config.replace(config.rfind('}'), 1, ", only_cost_head: true}"));
+  auto command = train("second");
+  command.insert(command.end(), {"--weights", weights});
+  ASSERT_EQ(0, wait(start(command, output()))) << read(output());
+  const auto before = sylph::loadTensorFile(weights);
+  const auto after = sylph::loadTensorFile(folder_.path("second/weights.safetensors"));
+  for (const auto& [name, tensor] : before.tensors) {
+    const bool is_cost_head = name.rfind("heads.cost.", 0) == 0;
+    EXPECT_EQ(is_cost_head, tensor.values != after.tensors.at(name).values) << name;
+  }
 }
 
 TEST_F(TrainCommandTest, BadInputIsOneLineAndStatus2) {

@@ -2,8 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <stdexcept>
 
+#include "sylph_training/imitation/shards.hpp"
 #include "sylph_training/model/learner.hpp"
 #include "sylph_training/run/threads.hpp"
 #include "test/support/temporary_folder.hpp"
@@ -74,6 +76,24 @@ TEST(Smp3oSettingsTest, MalformedFieldsAreNamed) {
   expectError("rewards: {svo_importance: 0}", "rewards.svo_importance");
   expectError("symmetric: {min_length: 3}", "symmetric.min_length");
   expectError("imitation_rate: 0.5", "imitation");
+  expectError("imitation: {kind: imitation, only_cost_head: true}", "imitation.only_cost_head");
+}
+
+TEST(Smp3oPhaseTest, MakesScenesWhenItIsPreparedAndNotBefore) {
+  const sylph::TemporaryFolder folder;
+  TrainingSettings settings = settingsFrom(
+      "steps: 1, imitation_rate: 0.5, symmetric: {}, "
+      "imitation: {kind: imitation, first_shards: 1, precision: float}");
+  settings.validation_shards = settings.worlds_per_shard = 1;
+  settings.worlds.side = settings.worlds.usual_side = {10, 10};
+  settings.worlds.most_agents = 5;
+  settings.demonstrations.improvement_s = 0.001;
+  RunState state = stateOf(settings);
+  state.folder = folder.path("run");
+  Smp3oPhase phase(Smp3oSettings::read(settings.phases.front()), state);
+  EXPECT_FALSE(std::filesystem::exists(state.folder));
+  phase.prepare();
+  EXPECT_TRUE(std::filesystem::exists(shardPath(state.folder + "/demonstrations", 0)));
 }
 
 TEST(Smp3oPhaseTest, GoesOnFromACheckpointAsIfNothingHadHappened) {

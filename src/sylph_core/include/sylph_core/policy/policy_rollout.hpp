@@ -22,7 +22,8 @@ enum class SvoChoice {
 
 /// What the policy says in one configuration, and what it takes along to the next one.
 struct PolicyStep {
-  AgentRows actions;        ///< n x 5 logits, in the order of Action
+  AgentRows actions;        ///< n x 5 logits, in the order of Action: for who resolves by SVO
+  AgentRows by_cost;        ///< n x 5 logits: for a search, see NetworkOutput
   AgentRows svo;            ///< n x levels, each row of sum 1
   AgentRows memory;         ///< n x width, or empty if the policy has none
   std::vector<int> waited;  ///< per agent: timesteps since it was last on its goal

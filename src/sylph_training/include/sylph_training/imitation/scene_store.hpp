@@ -25,7 +25,7 @@ void unpackView(const PackedView& view, float* out);
 struct Sample {
   std::uint16_t agent = 0;     ///< row in its scene
   std::uint8_t action = 0;     ///< the expert's, or the teacher's most frequent one
-  std::uint8_t only_ties = 0;  ///< 1: only what it tells of the moves that come closer is of use
+  std::uint8_t only_ties = 0;  ///< 1: tells the policy only of moves that come closer
   Regrets regrets{};           ///< the expert's, see Regrets
   std::array<std::uint8_t, sylph::kActionCount> votes{};  ///< of the teacher's draws; 0 if expert's
   PackedView view{};                                      ///< what it sees

@@ -29,6 +29,7 @@ struct LearnerSettings {
 class Learner {
  public:
   /// @param steps  that will be taken, for the learning rate
+  /// @param model  of which what requires a gradient learns
   Learner(const LearnerSettings& settings, long steps, PolicyModel model, PolicyModel average);
 
   /// One step down the gradient of a loss.

@@ -31,6 +31,10 @@ class Phase {
  public:
   virtual ~Phase() = default;
 
+  /// Makes what its steps need, such as scenes, which may take minutes. Called once, before load()
+  /// and the first step.
+  virtual void prepare() {}
+
   /// How many steps it takes in all.
   virtual long steps() const = 0;
   /// What a step's count is called and how many of them it handles, such as samples.

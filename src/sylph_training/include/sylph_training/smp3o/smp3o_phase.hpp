@@ -46,6 +46,7 @@ class Smp3oPhase : public Phase {
  public:
   Smp3oPhase(const Smp3oSettings& settings, RunState& state);
 
+  void prepare() override;
   long steps() const override { return settings_.steps; }
   std::pair<std::string, double> workPerStep() const override;
   std::optional<Figures> step(long step) override;
