@@ -40,12 +40,18 @@ constexpr char kSeparationResetService[] = "separation_monitor/reset";
 /// sylph_msgs/InjectFault of the simulator.
 constexpr char kInjectFaultService[] = "inject_fault";
 
+// Of the simulator and the nodes in lock step with it, see LockStepTick.msg.
+constexpr char kLockStepFirstTopic[] = "lock_step/first";
+constexpr char kLockStepSecondTopic[] = "lock_step/second";
+constexpr char kLockStepDoneTopic[] = "lock_step/done";
+
 // Parameters of the suite's namespace, which the launch file sets once and every node reads there.
 constexpr char kExperimentParameter[] = "experiment";  // absolute path
 constexpr char kSeedParameter[] = "seed";              // -1: the experiment's
 constexpr char kPlannerParameter[] = "planner";        // empty: the experiment's
 constexpr char kWeightsParameter[] = "weights";        // absolute path, empty: the experiment's
 constexpr char kSpeedParameter[] = "speed";            // simulated seconds per second
+constexpr char kLockStepParameter[] = "lock_step";     // whether the simulator waits for the nodes
 constexpr char kRunFolderParameter[] = "run_folder";  // absolute path, the central node fills it in
 
 // In a robot's namespace.
