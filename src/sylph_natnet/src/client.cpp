@@ -73,19 +73,28 @@ std::optional<ClockEstimate> Client::clock() const {
 }
 
 std::optional<ReceivedFrame> Client::poll(milliseconds timeout) {
+  std::vector<ReceivedFrame> frames = pollAll(timeout);
+  if (frames.empty()) {
+    return std::nullopt;
+  }
+  statistics_.superseded += frames.size() - 1;
+  return std::move(frames.back());
+}
+
+std::vector<ReceivedFrame> Client::pollAll(milliseconds timeout) {
   sendWhatIsDue(steady_clock::now());
   std::vector<const UdpSocket*> sockets{&command_socket_};
   if (data_socket_) {
     sockets.push_back(&*data_socket_);
   }
-  std::optional<ReceivedFrame> newest;
+  std::vector<ReceivedFrame> frames;
   if (waitForInput(sockets, timeout)) {
-    drain(command_socket_, newest);
+    drain(command_socket_, frames);
     if (data_socket_) {
-      drain(*data_socket_, newest);
+      drain(*data_socket_, frames);
     }
   }
-  return newest;
+  return frames;
 }
 
 void Client::send(const Datagram& datagram) {
@@ -120,7 +129,7 @@ void Client::sendWhatIsDue(Time now) {
   }
 }
 
-void Client::drain(UdpSocket& socket, std::optional<ReceivedFrame>& newest) {
+void Client::drain(UdpSocket& socket, std::vector<ReceivedFrame>& frames) {
   for (int i = 0; i < kLargestBatch; ++i) {
     const std::optional<Endpoint> sender = socket.receive(buffer_);
     if (!sender) {
@@ -136,8 +145,7 @@ void Client::drain(UdpSocket& socket, std::optional<ReceivedFrame>& newest) {
     statistics_.bytes += buffer_.size();
     try {
       if (std::optional<Frame> frame = handle(openMessage(buffer_), now)) {
-        statistics_.superseded += newest ? 1 : 0;
-        newest = ReceivedFrame{std::move(*frame), now};
+        frames.push_back({std::move(*frame), now});
       }
     } catch (const ParseError& error) {
       ++statistics_.parse_errors;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "sylph_natnet/echo_clock.hpp"
 #include "sylph_natnet/frame_sequence.hpp"
@@ -65,6 +66,9 @@ class Client {
   /// Sends what is due, waits for datagrams and takes all that wait.
   /// @return the newest frame; nothing if none came in time
   std::optional<ReceivedFrame> poll(std::chrono::milliseconds timeout);
+  /// As poll(), but passes over no frame.
+  /// @return all new frames, oldest first
+  std::vector<ReceivedFrame> pollAll(std::chrono::milliseconds timeout);
 
   /// Nothing while the server has not answered.
   const std::optional<ServerInfo>& serverInfo() const { return info_; }
@@ -90,7 +94,7 @@ class Client {
   void send(const Datagram& datagram);
   bool isSilent(Time now) const { return now - last_frame_ > options_.silence; }
 
-  void drain(UdpSocket& socket, std::optional<ReceivedFrame>& newest);
+  void drain(UdpSocket& socket, std::vector<ReceivedFrame>& frames);
   std::optional<Frame> handle(const Message& message, Time now);
   void onServerInfo(const ServerInfo& info, Time now);
   void onDefinitions(ByteReader payload);
