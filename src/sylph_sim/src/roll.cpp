@@ -1,0 +1,80 @@
+#include "sylph_sim/roll.hpp"
+
+#include <algorithm>
+
+namespace sylph_sim {
+
+void Roll::call(Stage stage, std::uint32_t number, double wall_s) {
+  stage_ = stage;
+  number_ = number;
+  called_s_ = wall_s;
+}
+
+Roll::Return Roll::note(const Answer& answer, double wall_s) {
+  const auto [entry, is_new] = members_.try_emplace(answer.node);
+  Member& member = entry->second;
+  Return result;
+  result.is_new = is_new || member.is_silent;
+  result.silent_s = member.is_silent ? wall_s - member.heard_s : 0.0;
+  member.stage = answer.stage;
+  member.is_silent = false;
+  member.heard_s = wall_s;
+  if (!answer.is_busy) {
+    member.number = answer.number;
+    member.is_ready = answer.is_ready;
+  }
+  return result;
+}
+
+bool Roll::isAwaited(const Member& member) const {
+  return member.stage == stage_ && member.number != number_ && !member.is_silent;
+}
+
+bool Roll::hasAnswered() const {
+  return std::none_of(members_.begin(), members_.end(),
+                      [this](const auto& entry) { return isAwaited(entry.second); });
+}
+
+std::vector<std::string> Roll::unready() const {
+  std::vector<std::string> names;
+  for (const std::string& name : expected_) {
+    if (members_.count(name) == 0) {
+      names.push_back(name);
+    }
+  }
+  for (const auto& [name, member] : members_) {
+    if (!member.is_ready) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> Roll::findSilent(double wall_s) {
+  std::vector<std::string> names;
+  for (auto& [name, member] : members_) {
+    if (isAwaited(member) && wall_s - std::max(member.heard_s, called_s_) > limit_s_) {
+      member.is_silent = true;
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+std::vector<std::string> Roll::silent() const {
+  std::vector<std::string> names;
+  for (const auto& [name, member] : members_) {
+    if (member.is_silent) {
+      names.push_back(name);
+    }
+  }
+  return names;
+}
+
+std::size_t Roll::count(Stage stage) const {
+  return static_cast<std::size_t>(
+      std::count_if(members_.begin(), members_.end(),
+                    [stage](const auto& entry) { return entry.second.stage == stage; }));
+}
+
+}  // namespace sylph_sim
