@@ -38,6 +38,16 @@ void readNatNet(ParameterReader reader, NatNetOptions& natnet) {
               "of the rigid bodies above the floor");
 }
 
+void readLockStep(ParameterReader reader, LockStepOptions& lock_step) {
+  const sylph::Range positive = sylph::Range::positive();
+  reader.read("period_s", lock_step.period_s, positive,
+              "lab time between two ticks; whole steps of the simulation");
+  reader.read("silent_after_s", lock_step.silent_after_s, positive,
+              "wall time without an answer, after which the lab goes on without a node");
+  reader.read("start_limit_s", lock_step.start_limit_s, positive,
+              "wall time that the lab waits for nodes before it begins");
+}
+
 double numberOf(XmlRpcValue& value, const std::string& field) {
   if (value.getType() == XmlRpcValue::TypeInt) {
     return static_cast<int>(value);
@@ -103,6 +113,7 @@ Options readOptions(ParameterReader& reader) {
   ParameterReader cameras = reader.group("cameras");
   readNumbers(cameras, options.simulation.cameras);
   readNatNet(reader.group("natnet"), options.natnet);
+  readLockStep(reader.group("lock_step"), options.lock_step);
   reader.read("clock_period_s", options.clock_period_s, positive,
               "simulated time between two `/clock` messages");
   reader.read("clock_wall_rate_limit_hz", options.clock_wall_rate_limit_hz, positive,

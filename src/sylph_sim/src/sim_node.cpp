@@ -4,6 +4,8 @@
 #include <sylph_msgs/SimulationTruth.h>
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
 #include <stdexcept>
 #include <string>
 
@@ -19,11 +21,16 @@ namespace {
 constexpr double kMaxBacklog_s = 0.02;
 /// The timer ticks once a step, but not more often than this.
 constexpr double kMinTimerPeriodWall = 0.001;
+/// In lock step the cameras' server answers questions so often.
+constexpr double kServePeriodWall = 0.01;
 /// Below this share of the speed asked for the node says so.
 constexpr double kLowSpeedShare = 0.9;
 
-sylph_natnet::ServerOptions serverOptions(const Options& options) {
+sylph_natnet::ServerOptions serverOptions(const Options& options, bool is_in_lock_step) {
   sylph_natnet::ServerOptions server;
+  if (is_in_lock_step) {
+    server.client_timeout = std::chrono::hours(1);  // time may stand still for long
+  }
   server.address = options.natnet.address;
   server.command_port = static_cast<std::uint16_t>(options.natnet.command_port);
   server.data_port = static_cast<std::uint16_t>(options.natnet.data_port);
@@ -47,18 +54,52 @@ void requireSimulatedTime() {
   }
 }
 
+bool isInLockStep(const ros::NodeHandle& nh) {
+  bool is_in_lock_step = false;
+  sylph_ros::read(nh, sylph_ros::kLockStepParameter, is_in_lock_step);
+  return is_in_lock_step;
+}
+
+/// Only in lock step is there a speed of 0, which is as fast as it goes.
+double readSpeed(const ros::NodeHandle& nh, bool is_in_lock_step) {
+  double speed = 1.0;
+  sylph_ros::read(nh, sylph_ros::kSpeedParameter, speed,
+                  is_in_lock_step ? sylph::Range::atLeast(0.0) : sylph::Range::positive());
+  return speed;
+}
+
+/// In lock step whole seconds, so that rounding of stamps is the same in each run.
+double startTime(bool is_in_lock_step) {
+  const double now_s = ros::WallTime::now().toSec();
+  return is_in_lock_step ? std::floor(now_s) : now_s;
+}
+
+/// Without which a mission cannot begin.
+std::vector<std::string> expectedNodes(const ros::NodeHandle& nh,
+                                       const sylph::Experiment& experiment) {
+  std::vector<std::string> names;
+  for (const char* node : {"mocap_bridge", "sylph_adg_central", "sylph_separation_monitor",
+                           "sylph_planner", "sylph_mission"}) {
+    names.push_back(nh.resolveName(node));
+  }
+  for (const sylph::RobotSpec& robot : experiment.robots) {
+    names.push_back(nh.resolveName(sylph_ros::robotTopic(nh, robot.name, "sylph_robot")));
+  }
+  return names;
+}
+
 }  // namespace
 
 SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
     : options_(sylph_ros::readStrictly(private_nh, readOptions)),
       experiment_(sylph_ros::loadExperiment(nh)),
-      clock_(sylph_ros::SteadyClock::fromParameter(nh)),
-      start_s_(ros::WallTime::now().toSec()),
+      is_in_lock_step_(isInLockStep(nh)),
+      target_speed_(readSpeed(nh, is_in_lock_step_)),
+      start_s_(startTime(is_in_lock_step_)),
       simulation_(options_.simulation, experiment_, start_s_),
-      pacer_(simulation_.stepDuration(), clock_.speed(), kMaxBacklog_s),
-      server_(serverOptions(options_)),
+      server_(serverOptions(options_, is_in_lock_step_)),
       clock_period_s_(
-          std::max(options_.clock_period_s, clock_.speed() / options_.clock_wall_rate_limit_hz)),
+          std::max(options_.clock_period_s, target_speed_ / options_.clock_wall_rate_limit_hz)),
       next_clock_s_(start_s_),
       next_truth_s_(start_s_),
       diagnostics_(nh, private_nh) {
@@ -69,58 +110,112 @@ SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
   server_.setDefinitions(modelDefinitions(experiment_));
   clock_publisher_ = nh.advertise<rosgraph_msgs::Clock>("/clock", 1);
   truth_publisher_ = nh.advertise<sylph_msgs::SimulationTruth>(sylph_ros::kSimulationTruthTopic, 1);
-  for (std::size_t robot = 0; robot < experiment_.robots.size(); ++robot) {
-    const std::string topic =
-        sylph_ros::robotTopic(nh, experiment_.robots[robot].name, sylph_ros::kCommandTopic);
-    command_subscribers_.push_back(nh.subscribe<geometry_msgs::Twist>(
-        topic, 1,
-        [this, robot](const geometry_msgs::TwistConstPtr& message) { onCommand(robot, *message); },
-        {}, ros::TransportHints().tcpNoDelay()));
-  }
   inject_fault_server_ =
       nh.advertiseService(sylph_ros::kInjectFaultService, &SimNode::onInjectFault, this);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("simulation", this, &SimNode::diagnose);
-  const ros::WallDuration period =
-      std::max(clock_.wall(simulation_.stepDuration()), ros::WallDuration(kMinTimerPeriodWall));
-  timer_ = nh.createSteadyTimer(period, &SimNode::advance, this);
-  ROS_INFO("simulating %zu robots at %.3g times real time, NatNet %s on port %u",
-           experiment_.robots.size(), clock_.speed(),
+  if (is_in_lock_step_) {
+    startInLockStep(nh);
+  } else {
+    startFreely(nh);
+  }
+  for (std::size_t robot = 0; robot < experiment_.robots.size(); ++robot) {
+    subscribe(nh, robot);
+  }
+  ROS_INFO("simulating %zu robots at %s times real time%s, NatNet %s on port %u",
+           experiment_.robots.size(),
+           target_speed_ > 0.0 ? sylph::shortNumber(target_speed_).c_str() : "as many as it can",
+           is_in_lock_step_ ? " at most, in lock step" : "",
            sylph_natnet::toString(options_.natnet.version).c_str(), server_.commandPort());
+}
+
+void SimNode::startFreely(ros::NodeHandle& nh) {
+  const double step_s = simulation_.stepDuration();
+  pacer_.emplace(step_s, target_speed_, kMaxBacklog_s);
+  timer_ =
+      nh.createSteadyTimer(ros::WallDuration(std::max(step_s / target_speed_, kMinTimerPeriodWall)),
+                           &SimNode::advance, this);
+}
+
+void SimNode::startInLockStep(const ros::NodeHandle& nh) {
+  const double steps = options_.lock_step.period_s / simulation_.stepDuration();
+  if (std::abs(steps - std::round(steps)) > 1e-6 || steps < 0.5) {
+    throw std::runtime_error("parameter " + nh.resolveName("~lock_step/period_s") + " = " +
+                             sylph::shortNumber(options_.lock_step.period_s) +
+                             ": must be a multiple of 1 / step_rate_hz");
+  }
+  lock_step_ = std::make_unique<LockStepHost>(
+      nh, options_.lock_step, expectedNodes(nh, experiment_), target_speed_, ros::Time(start_s_),
+      [this] { return advanceTick(); });
+  timer_ = nh.createSteadyTimer(ros::WallDuration(kServePeriodWall),
+                                [this](const ros::SteadyTimerEvent&) {
+                                  server_.serve(toTicks(simulation_.time() - start_s_));
+                                  if (!lock_step_->hasBegun()) {
+                                    publishClock(simulation_.time());
+                                  }
+                                  diagnostics_.update();
+                                });
+}
+
+void SimNode::subscribe(ros::NodeHandle& nh, std::size_t robot) {
+  const std::string topic = nh.resolveName(
+      sylph_ros::robotTopic(nh, experiment_.robots[robot].name, sylph_ros::kCommandTopic));
+  using Message = geometry_msgs::TwistConstPtr;
+  boost::function<void(const Message&)> handle = [this, robot](const Message& message) {
+    onCommand(robot, *message);
+  };
+  if (lock_step_) {
+    handle = [this, robot, box = lock_step_->open(topic)](const Message& message) {
+      box->push([this, robot, message] { onCommand(robot, *message); });
+      lock_step_->onArrival();
+    };
+  }
+  command_subscribers_.push_back(nh.subscribe<geometry_msgs::Twist>(
+      topic, lock_step_ ? 0 : 1, handle, {}, ros::TransportHints().tcpNoDelay()));
 }
 
 void SimNode::advance(const ros::SteadyTimerEvent& /*event*/) {
   server_.serve(toTicks(simulation_.time() - start_s_));
+  step(pacer_->stepsDue(ros::SteadyTime::now().toSec()));
+  diagnostics_.update();
+  if (pacer_->speed() < kLowSpeedShare * pacer_->targetSpeed()) {
+    ROS_WARN_THROTTLE(10.0, "the machine is too slow: %.2g times real time instead of %.2g",
+                      pacer_->speed(), pacer_->targetSpeed());
+  }
+}
+
+LockStepHost::Moment SimNode::advanceTick() {
+  step(static_cast<int>(std::lround(options_.lock_step.period_s / simulation_.stepDuration())));
+  return {ros::Time(start_s_) + ros::Duration(simulation_.time() - start_s_), last_frame_};
+}
+
+void SimNode::step(int count) {
   std::vector<CapturedFrame> frames;
-  for (int due = pacer_.stepsDue(ros::SteadyTime::now().toSec()); due > 0; --due) {
+  for (int due = count; due > 0; --due) {
     std::vector<CapturedFrame> leaving = simulation_.step();
     std::move(leaving.begin(), leaving.end(), std::back_inserter(frames));
   }
   // The clock first: who gets a frame then knows the time at which it came.
-  publishClock();
+  if (simulation_.time() >= next_clock_s_) {
+    publishClock(simulation_.time());
+  }
   sendFrames(frames);
   publishTruth();
-  diagnostics_.update();
-  if (pacer_.speed() < kLowSpeedShare * pacer_.targetSpeed()) {
-    ROS_WARN_THROTTLE(10.0, "the machine is too slow: %.2g times real time instead of %.2g",
-                      pacer_.speed(), pacer_.targetSpeed());
-  }
 }
 
 void SimNode::sendFrames(const std::vector<CapturedFrame>& frames) {
   for (const CapturedFrame& frame : frames) {
-    server_.send(toNatNet(frame, start_s_, options_.natnet.up_axis, options_.natnet.body_height_m));
+    const std::size_t receivers = server_.send(
+        toNatNet(frame, start_s_, options_.natnet.up_axis, options_.natnet.body_height_m));
+    last_frame_ = receivers > 0 ? frame.number : last_frame_;
   }
 }
 
-void SimNode::publishClock() {
-  if (simulation_.time() < next_clock_s_) {
-    return;
-  }
+void SimNode::publishClock(double time_s) {
   rosgraph_msgs::Clock message;
-  message.clock.fromSec(simulation_.time());
+  message.clock.fromSec(time_s);
   clock_publisher_.publish(message);
-  next_clock_s_ = std::max(next_clock_s_ + clock_period_s_, simulation_.time());
+  next_clock_s_ = std::max(next_clock_s_ + clock_period_s_, time_s);
 }
 
 void SimNode::publishTruth() {
@@ -138,6 +233,9 @@ void SimNode::publishTruth() {
   message.collisions = simulation_.collisions();
   message.obstacle_entries = simulation_.obstacleEntries();
   message.active_faults = static_cast<std::uint32_t>(simulation_.activeFaults());
+  if (lock_step_) {
+    lock_step_->countMessage(truth_publisher_.getTopic());
+  }
   truth_publisher_.publish(message);
   next_truth_s_ = std::max(next_truth_s_ + 1.0 / options_.truth_rate_hz, simulation_.time());
 }
@@ -160,13 +258,16 @@ bool SimNode::onInjectFault(sylph_msgs::InjectFault::Request& request,
 
 void SimNode::diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) {
   using diagnostic_msgs::DiagnosticStatus;
-  if (pacer_.speed() < kLowSpeedShare * pacer_.targetSpeed()) {
+  if (pacer_ && pacer_->speed() < kLowSpeedShare * pacer_->targetSpeed()) {
     status.summary(DiagnosticStatus::WARN, "slower than asked for");
   } else {
-    status.summary(DiagnosticStatus::OK, "on time");
+    status.summary(DiagnosticStatus::OK, lock_step_ ? "in lock step" : "on time");
   }
-  status.add("speed asked for", pacer_.targetSpeed());
-  status.add("speed", pacer_.speed());
+  if (lock_step_ && !lock_step_->silent().empty()) {
+    status.summary(DiagnosticStatus::WARN, "goes on without nodes that do not answer");
+  }
+  status.add("speed asked for", target_speed_);
+  status.add("speed", pacer_ ? pacer_->speed() : lock_step_->speed());
   status.add("NatNet clients", server_.clientCount());
   status.add("faults now", simulation_.activeFaults());
   status.add("collisions", simulation_.collisions());

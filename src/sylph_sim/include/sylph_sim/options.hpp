@@ -10,6 +10,7 @@
 #include "sylph_natnet/version.hpp"
 #include "sylph_ros/parameter_reader.hpp"
 #include "sylph_sim/conversions.hpp"
+#include "sylph_sim/lock_step_host.hpp"
 #include "sylph_sim/simulation.hpp"
 
 namespace sylph_sim {
@@ -30,6 +31,7 @@ struct NatNetOptions {
 struct Options {
   SimulationOptions simulation;
   NatNetOptions natnet;
+  LockStepOptions lock_step;
   double clock_period_s = 0.01;             ///< simulated time between two /clock messages
   double clock_wall_rate_limit_hz = 400.0;  ///< /clock messages a wall second at most
   double truth_rate_hz = 20.0;              ///< a simulated second

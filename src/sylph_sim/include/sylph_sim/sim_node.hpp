@@ -5,11 +5,13 @@
 #include <ros/ros.h>
 #include <sylph_msgs/InjectFault.h>
 
+#include <memory>
+#include <optional>
 #include <vector>
 
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_natnet/server.hpp"
-#include "sylph_ros/steady_clock.hpp"
+#include "sylph_sim/lock_step_host.hpp"
 #include "sylph_sim/options.hpp"
 #include "sylph_sim/simulation.hpp"
 #include "sylph_sim/step_pacer.hpp"
@@ -17,7 +19,7 @@
 namespace sylph_sim {
 
 /// The simulated lab as a node: takes cmd_vel of every robot, serves NatNet, publishes /clock and
-/// the truth. One thread; it steps on a steady wall clock.
+/// the truth. One thread; it steps on a steady wall clock, or in lock step with the lab's nodes.
 class SimNode {
  public:
   /// @throws std::runtime_error or std::invalid_argument on a bad parameter or experiment, or if
@@ -25,9 +27,14 @@ class SimNode {
   SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh);
 
  private:
+  void startFreely(ros::NodeHandle& nh);
+  void startInLockStep(const ros::NodeHandle& nh);
   void advance(const ros::SteadyTimerEvent& event);
+  LockStepHost::Moment advanceTick();
+  void step(int count);
+  void subscribe(ros::NodeHandle& nh, std::size_t robot);
   void sendFrames(const std::vector<CapturedFrame>& frames);
-  void publishClock();
+  void publishClock(double time_s);
   void publishTruth();
   void onCommand(std::size_t robot, const geometry_msgs::Twist& message);
   bool onInjectFault(sylph_msgs::InjectFault::Request& request,
@@ -36,10 +43,13 @@ class SimNode {
 
   Options options_;
   sylph::Experiment experiment_;
-  sylph_ros::SteadyClock clock_;
+  bool is_in_lock_step_;
+  double target_speed_;  ///< simulated seconds a wall second; 0: as fast as it goes
   double start_s_;
   Simulation simulation_;
-  StepPacer pacer_;
+  std::optional<StepPacer> pacer_;
+  std::unique_ptr<LockStepHost> lock_step_;
+  std::int32_t last_frame_ = 0;  ///< number of the last frame that went to anybody
   sylph_natnet::Server server_;
   double clock_period_s_;
   double next_clock_s_;
