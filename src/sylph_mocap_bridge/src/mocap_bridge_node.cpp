@@ -33,17 +33,17 @@ MocapBridgeNode::MocapBridgeNode(ros::NodeHandle nh, const ros::NodeHandle& priv
     : nh_(std::move(nh)),
       experiment_(sylph_ros::loadExperiment(nh_)),
       options_(loadOptions(private_nh, experiment_)),
+      clock_(sylph_ros::SteadyClock::fromParameter(nh_, sylph_ros::LockStep::Stage::First)),
       tracks_(options_.tracks),
-      publishers_(nh_, namesOf(experiment_), options_.rates, options_.tracks.tracker),
+      publishers_(nh_, clock_, namesOf(experiment_), options_.rates, options_.tracks.tracker),
       seen_counts_(experiment_.robots.size()),
       input_(makeInput()),
       updater_(nh_, private_nh) {
   updater_.setHardwareID("motion capture");
   updater_.add("link", this, &MocapBridgeNode::reportLink);
   updater_.add("bodies", this, &MocapBridgeNode::reportBodies);
-  diagnostics_timer_ =
-      nh_.createSteadyTimer(ros::WallDuration(kDiagnosticsPeriodS),
-                            [this](const ros::SteadyTimerEvent&) { updater_.force_update(); });
+  diagnostics_timer_ = clock_.createTimer(nh_, kDiagnosticsPeriodS * clock_.speed(),
+                                          [this] { updater_.force_update(); });
 }
 
 std::unique_ptr<MeasurementInput> MocapBridgeNode::makeInput() {
@@ -56,7 +56,7 @@ std::unique_ptr<MeasurementInput> MocapBridgeNode::makeInput() {
     rigid_bodies.push_back(robot.rigid_body);
   }
   return std::make_unique<NatnetInput>(options_.client, options_.stamp, rigid_bodies,
-                                       ros::Time::isSimTime(), *this);
+                                       ros::Time::isSimTime(), clock_, *this);
 }
 
 void MocapBridgeNode::onMeasurements(const std::vector<Measurement>& measurements, double now_s) {

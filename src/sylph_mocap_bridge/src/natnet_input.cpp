@@ -3,6 +3,7 @@
 #include <ros/console.h>
 #include <ros/time.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace sylph_mocap_bridge {
@@ -17,9 +18,21 @@ constexpr milliseconds kStatusPeriod{200};
 /// ROS time that goes back by more than this began anew (a simulation, a bag).
 constexpr double kTimeJumpS = 0.5;
 
-ClockSyncOptions clockOptions(bool simulated_time) {
+/// A frame that the simulator has sent and that does not come for so long has been lost.
+constexpr milliseconds kLockStepPatience{200};
+
+/// In lock step time moves in steps too, but a frame is never taken before it was sent.
+ClockSyncOptions clockOptions(bool simulated_time, bool lock_step) {
   ClockSyncOptions options;
-  options.quantile = simulated_time ? 0.5 : 0.0;
+  options.quantile = simulated_time && !lock_step ? 0.5 : 0.0;
+  return options;
+}
+
+/// While a planner is at work, no frames come; neither end may lose patience.
+sylph_natnet::ClientOptions clientOptions(sylph_natnet::ClientOptions options, bool lock_step) {
+  if (lock_step) {
+    options.silence = std::chrono::hours(1);
+  }
   return options;
 }
 
@@ -35,20 +48,57 @@ std::string join(const std::vector<std::string>& names) {
 
 NatnetInput::NatnetInput(const sylph_natnet::ClientOptions& client, StampPolicy stamp,
                          std::vector<std::string> rigid_bodies, bool simulated_time,
-                         MeasurementSink& sink)
+                         const sylph_ros::SteadyClock& clock, MeasurementSink& sink)
     : options_(client),
       simulated_time_(simulated_time),
+      clock_(clock),
       sink_(sink),
-      client_(client),
+      client_(clientOptions(client, clock.lockStep() != nullptr)),
       names_(std::move(rigid_bodies)),
-      stamper_(stamp, clockOptions(simulated_time)) {
+      stamper_(stamp, clockOptions(simulated_time, clock.lockStep() != nullptr)) {
   shareStatus();
-  thread_ = std::thread([this] { receive(); });
+  if (const auto& lock_step = clock_.lockStep()) {
+    joinLockStep(*lock_step);
+  } else {
+    thread_ = std::thread([this] { receive(); });
+  }
 }
 
 NatnetInput::~NatnetInput() {
   stop_ = true;
-  thread_.join();
+  if (thread_.joinable()) {
+    thread_.join();
+  }
+}
+
+void NatnetInput::joinLockStep(sylph_ros::LockStep& lock_step) {
+  lock_step.setFrameSource([this](std::int32_t number) { takeFramesUpTo(number); });
+  lock_step.requireAtStart([this] {
+    client_.pollAll(milliseconds(1));
+    followServer();
+    shareStatus();
+    return client_.definitionsKnown();
+  });
+}
+
+void NatnetInput::takeFramesUpTo(std::int32_t number) {
+  const auto deadline = steady_clock::now() + kLockStepPatience;
+  do {
+    try {
+      for (const auto& received : client_.pollAll(milliseconds(last_number_ < number ? 10 : 0))) {
+        followServer();
+        last_number_ = received.frame.number;
+        onFrame(received);
+      }
+      followServer();
+    } catch (const std::exception& error) {
+      ROS_ERROR_THROTTLE(1.0, "frame dropped: %s", error.what());
+    }
+  } while (last_number_ < number && steady_clock::now() < deadline);
+  last_number_ = std::max(last_number_, number);
+  if (steady_clock::now() - last_shared_ > kStatusPeriod) {
+    shareStatus();
+  }
 }
 
 void NatnetInput::receive() {
@@ -85,7 +135,7 @@ void NatnetInput::followServer() {
 }
 
 void NatnetInput::onFrame(const sylph_natnet::ReceivedFrame& received) {
-  const double now_s = ros::Time::now().toSec();
+  const double now_s = clock_.stamp().toSec();
   if (now_s <= 0.0) {
     return;  // simulated time has not begun
   }

@@ -13,15 +13,17 @@ constexpr std::uint32_t kQueueSize = 10;
 
 }  // namespace
 
-RobotPublishers::RobotPublishers(ros::NodeHandle& nh, const std::vector<std::string>& robots,
-                                 const PublishRates& rates, const TrackerOptions& noise)
+RobotPublishers::RobotPublishers(ros::NodeHandle& nh, const sylph_ros::SteadyClock& clock,
+                                 const std::vector<std::string>& robots, const PublishRates& rates,
+                                 const TrackerOptions& noise)
     : noise_(noise) {
   for (const std::string& name : robots) {
     const auto topic = [&](const char* of_robot) {
       return sylph_ros::robotTopic(nh, name, of_robot);
     };
     robots_.push_back(
-        {name, nh.advertise<geometry_msgs::PoseStamped>(topic(sylph_ros::kPoseTopic), kQueueSize),
+        {name,
+         clock.advertise<geometry_msgs::PoseStamped>(nh, topic(sylph_ros::kPoseTopic), kQueueSize),
          nh.advertise<nav_msgs::Odometry>(topic(sylph_ros::kOdometryTopic), kQueueSize),
          RateGate(rates.pose_hz), RateGate(rates.odom_hz), RateGate(rates.tf_hz)});
   }

@@ -2,7 +2,6 @@
 
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <ros/node_handle.h>
-#include <ros/steady_timer.h>
 
 #include <memory>
 #include <mutex>
@@ -15,6 +14,7 @@
 #include "sylph_mocap_bridge/preflight.hpp"
 #include "sylph_mocap_bridge/robot_publishers.hpp"
 #include "sylph_mocap_bridge/robot_tracks.hpp"
+#include "sylph_ros/steady_clock.hpp"
 
 namespace sylph_mocap_bridge {
 
@@ -36,6 +36,7 @@ class MocapBridgeNode : public MeasurementSink {
   ros::NodeHandle nh_;
   sylph::Experiment experiment_;
   Options options_;
+  sylph_ros::SteadyClock clock_;
   std::mutex mutex_;
   RobotTracks tracks_;          ///< guarded by mutex_
   RobotPublishers publishers_;  ///< of the input's thread alone
@@ -43,7 +44,7 @@ class MocapBridgeNode : public MeasurementSink {
   Announcer announcer_;
   std::unique_ptr<MeasurementInput> input_;
   diagnostic_updater::Updater updater_;
-  ros::SteadyTimer diagnostics_timer_;
+  sylph_ros::Timer diagnostics_timer_;
 };
 
 }  // namespace sylph_mocap_bridge

@@ -10,6 +10,7 @@
 #include "sylph_mocap_bridge/frame_stamper.hpp"
 #include "sylph_mocap_bridge/measurement_input.hpp"
 #include "sylph_natnet/client.hpp"
+#include "sylph_ros/steady_clock.hpp"
 
 namespace sylph_mocap_bridge {
 
@@ -20,10 +21,13 @@ class NatnetInput : public MeasurementInput {
   /// @param simulated_time  ROS time is not this computer's: it moves in steps, and echoes
   /// (measured
   ///                        by the computer's clock) say nothing about it
+  /// @param clock           must outlive the input. In lock step there is no thread: frames are
+  ///                        taken when the simulator has sent them
   /// @param sink            must outlive the input
   /// @throws std::runtime_error if a socket cannot be had
   NatnetInput(const sylph_natnet::ClientOptions& client, StampPolicy stamp,
-              std::vector<std::string> rigid_bodies, bool simulated_time, MeasurementSink& sink);
+              std::vector<std::string> rigid_bodies, bool simulated_time,
+              const sylph_ros::SteadyClock& clock, MeasurementSink& sink);
   ~NatnetInput() override;
   NatnetInput(const NatnetInput&) = delete;
   NatnetInput& operator=(const NatnetInput&) = delete;
@@ -40,6 +44,8 @@ class NatnetInput : public MeasurementInput {
   };
 
   void receive();
+  void joinLockStep(sylph_ros::LockStep& lock_step);
+  void takeFramesUpTo(std::int32_t number);
   void onFrame(const sylph_natnet::ReceivedFrame& received);
   void followServer();
   std::vector<Measurement> measurementsOf(const sylph_natnet::Frame& frame, double time_s,
@@ -50,6 +56,7 @@ class NatnetInput : public MeasurementInput {
 
   sylph_natnet::ClientOptions options_;
   bool simulated_time_;
+  const sylph_ros::SteadyClock& clock_;
   MeasurementSink& sink_;
 
   // Of the receiving thread alone.
@@ -59,6 +66,7 @@ class NatnetInput : public MeasurementInput {
   std::uint64_t session_ = 0;
   std::uint64_t definitions_revision_ = 0;
   double last_now_s_ = 0.0;
+  std::int32_t last_number_ = 0;
   Status own_status_;
   std::chrono::steady_clock::time_point last_shared_;
 

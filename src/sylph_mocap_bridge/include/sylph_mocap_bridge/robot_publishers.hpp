@@ -9,6 +9,7 @@
 
 #include "sylph_mocap_bridge/rate_gate.hpp"
 #include "sylph_mocap_bridge/robot_tracks.hpp"
+#include "sylph_ros/steady_clock.hpp"
 
 namespace sylph_mocap_bridge {
 
@@ -23,8 +24,9 @@ struct PublishRates {
 class RobotPublishers {
  public:
   /// @param noise  sigmas of the measured pose, for covariances.
-  RobotPublishers(ros::NodeHandle& nh, const std::vector<std::string>& robots,
-                  const PublishRates& rates, const TrackerOptions& noise);
+  RobotPublishers(ros::NodeHandle& nh, const sylph_ros::SteadyClock& clock,
+                  const std::vector<std::string>& robots, const PublishRates& rates,
+                  const TrackerOptions& noise);
 
   /// @param states  of one instant
   void publish(const std::vector<RobotState>& states);
@@ -32,7 +34,7 @@ class RobotPublishers {
  private:
   struct Robot {
     std::string name;
-    ros::Publisher pose;
+    sylph_ros::Publisher pose;
     ros::Publisher odometry;
     RateGate pose_gate;
     RateGate odometry_gate;
