@@ -3,7 +3,6 @@
 #include <diagnostic_msgs/DiagnosticStatus.h>
 #include <ros/console.h>
 #include <ros/init.h>
-#include <ros/transport_hints.h>
 
 #include <algorithm>
 #include <string>
@@ -16,6 +15,13 @@
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_robot_node {
+namespace {
+
+constexpr double kShutdownPeriodWall_s = 0.1;
+/// A simulator that has not been heard for so long has ended before this node [wall s].
+constexpr double kSimulatorGoneWall_s = 0.5;
+
+}  // namespace
 
 RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : options_(loadOptions(nh, private_nh)),
@@ -26,21 +32,30 @@ RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
       nh_(nh),
       updater_(nh, private_nh) {
   catchShutdownSignals();
-  const ros::TransportHints no_delay = ros::TransportHints().tcpNoDelay();
-  command_publisher_ = nh_.advertise<geometry_msgs::Twist>(sylph_ros::kCommandTopic, 1);
-  report_publisher_ = nh_.advertise<sylph_msgs::TaskReport>(sylph_ros::kTaskReportTopic, 10);
-  task_subscriber_ = nh_.subscribe(sylph_ros::kTaskTopic, 100, &RobotNode::onTask, this, no_delay);
-  pose_subscriber_ = nh_.subscribe(sylph_ros::kPoseTopic, 1, &RobotNode::onPose, this, no_delay);
-  ros::NodeHandle suite = sylph_ros::suiteHandle(nh_);
-  adg_state_subscriber_ =
-      suite.subscribe(sylph_ros::kAdgStateTopic, 1, &RobotNode::onAdgState, this, no_delay);
-  emergency_subscriber_ = suite.subscribe(sylph_ros::kEmergencyStopTopic, 10,
-                                          &RobotNode::onEmergencyStop, this, no_delay);
+  command_publisher_ = clock_.advertise<geometry_msgs::Twist>(nh_, sylph_ros::kCommandTopic, 1);
+  report_publisher_ =
+      clock_.advertise<sylph_msgs::TaskReport>(nh_, sylph_ros::kTaskReportTopic, 10);
+  task_subscriber_ = clock_.subscribe<sylph_msgs::Task>(
+      nh_, sylph_ros::kTaskTopic, 100, [this](const sylph_msgs::Task& task) { onTask(task); });
+  pose_subscriber_ = clock_.subscribe<geometry_msgs::PoseStamped>(
+      nh_, sylph_ros::kPoseTopic, 1,
+      [this](const geometry_msgs::PoseStamped& pose) { onPose(pose); });
+  const ros::NodeHandle suite = sylph_ros::suiteHandle(nh_);
+  adg_state_subscriber_ = clock_.subscribe<sylph_msgs::AdgState>(
+      suite, sylph_ros::kAdgStateTopic, 1,
+      [this](const sylph_msgs::AdgState& state) { onAdgState(state); });
+  emergency_subscriber_ = clock_.subscribe<std_msgs::Bool>(
+      suite, sylph_ros::kEmergencyStopTopic, 10,
+      [this](const std_msgs::Bool& stop) { onEmergencyStop(stop); });
   updater_.setHardwareID(options_.robot);
   updater_.add("control",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
-  timer_ = nh_.createSteadyTimer(clock_.wall(1.0 / options_.control_rate_hz),
-                                 [this](const ros::SteadyTimerEvent&) { onTick(); });
+  timer_ = clock_.createTimer(nh_, 1.0 / options_.control_rate_hz, [this] { onTick(); });
+  if (clock_.lockStep()) {
+    shutdown_timer_ =
+        nh_.createSteadyTimer(ros::WallDuration(kShutdownPeriodWall_s),
+                              [this](const ros::SteadyTimerEvent&) { goDownWithoutSimulator(); });
+  }
 }
 
 void RobotNode::onTask(const sylph_msgs::Task& message) {
@@ -74,7 +89,7 @@ void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
     return;  // somebody else's, not a failed measurement
   }
   const double now_s = clock_.now();
-  const double age_s = (ros::Time::now() - message.header.stamp).toSec();
+  const double age_s = (clock_.stamp() - message.header.stamp).toSec();
   controller_.onPose(sylph::timedPose(judged.pose, message.header.stamp.toSec(), age_s, now_s));
   report(now_s);
 }
@@ -117,6 +132,12 @@ void RobotNode::goDown(double now_s) {
   }
 }
 
+void RobotNode::goDownWithoutSimulator() {
+  if (isShutdownRequested() && clock_.lockStep()->silence() > kSimulatorGoneWall_s) {
+    ros::requestShutdown();
+  }
+}
+
 void RobotNode::report(double now_s) {
   const auto report = reporter_.offer(controller_.report(now_s), now_s);
   if (!report) {
@@ -124,7 +145,7 @@ void RobotNode::report(double now_s) {
   }
   sylph_msgs::TaskReport message = sylph_ros::toMessage(*report);
   message.robot_id = options_.robot;
-  message.header.stamp = ros::Time::now();
+  message.header.stamp = clock_.stamp();
   message.header.frame_id = sylph_ros::kMapFrame;
   report_publisher_.publish(message);
 }

@@ -3,7 +3,6 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/node_handle.h>
-#include <ros/publisher.h>
 #include <ros/steady_timer.h>
 #include <ros/subscriber.h>
 #include <std_msgs/Bool.h>
@@ -32,6 +31,7 @@ class RobotNode {
   void onAdgState(const sylph_msgs::AdgState& message);
   void onEmergencyStop(const std_msgs::Bool& message);
   void onTick();
+  void goDownWithoutSimulator();
   void goDown(double now_s);
   void report(double now_s);  ///< if it is time for it
   void diagnose(diagnostic_updater::DiagnosticStatusWrapper& status) const;
@@ -42,15 +42,16 @@ class RobotNode {
   sylph::RobotController controller_;
   sylph::RobotReporter reporter_;
   ros::NodeHandle nh_;
-  ros::Publisher command_publisher_;
-  ros::Publisher report_publisher_;
+  sylph_ros::Publisher command_publisher_;
+  sylph_ros::Publisher report_publisher_;
   ros::Subscriber task_subscriber_;
   ros::Subscriber pose_subscriber_;
   ros::Subscriber adg_state_subscriber_;
   ros::Subscriber emergency_subscriber_;
   diagnostic_updater::Updater updater_;
-  ros::SteadyTimer timer_;
-  double largest_tick_s_ = 0.0;  // of the time between two ticks, since the last diagnosis
+  sylph_ros::Timer timer_;
+  ros::SteadyTimer shutdown_timer_;  // where timer_ waits for a simulator that is gone
+  double largest_tick_s_ = 0.0;      // of the time between two ticks, since the last diagnosis
   std::optional<double> ticked_s_;
   std::optional<double> shutdown_since_s_;
 };
