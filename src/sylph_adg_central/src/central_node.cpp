@@ -67,15 +67,14 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
   rebuild();
   diagnostics_.setHardwareID("none");
   diagnostics_.add("execution", this, &CentralNode::reportDiagnostics);
-  state_publisher_ = nh_.advertise<sylph_msgs::AdgState>(sylph_ros::kAdgStateTopic, 10);
+  state_publisher_ = clock_.advertise<sylph_msgs::AdgState>(nh_, sylph_ros::kAdgStateTopic, 10);
   for (const std::string& name : names_) {
-    task_publishers_.push_back(nh_.advertise<sylph_msgs::Task>(
-        sylph_ros::robotTopic(nh_, name, sylph_ros::kTaskTopic), kQueue));
+    task_publishers_.push_back(clock_.advertise<sylph_msgs::Task>(
+        nh_, sylph_ros::robotTopic(nh_, name, sylph_ros::kTaskTopic), kQueue));
   }
   subscribe();
   advertiseServices();
-  timer_ = nh_.createSteadyTimer(clock_.wall(options_.heartbeat_period_s),
-                                 [this](const ros::SteadyTimerEvent&) { onTimer(); });
+  timer_ = clock_.createTimer(nh_, options_.heartbeat_period_s, [this] { onTimer(); });
 }
 
 CentralNode::~CentralNode() {
@@ -119,23 +118,25 @@ void CentralNode::rebuild() {
   nh_.setParam(kTakenFolderParameter, folder_.path());
 }
 
+template <typename Message>
+void CentralNode::subscribe(const std::string& topic, std::uint32_t queue_size,
+                            void (CentralNode::*handle)(const Message&)) {
+  subscribers_.push_back(clock_.subscribe<Message>(
+      nh_, topic, queue_size,
+      [this, handle](const Message& message) { (this->*handle)(message); }));
+}
+
 void CentralNode::subscribe() {
-  subscribers_.push_back(
-      nh_.subscribe(sylph_ros::kJointActionsTopic, 1, &CentralNode::onJointActions, this));
-  subscribers_.push_back(
-      nh_.subscribe(sylph_ros::kSeparationTopic, 1, &CentralNode::onSeparation, this));
-  subscribers_.push_back(
-      nh_.subscribe(sylph_ros::kEmergencyStopTopic, 1, &CentralNode::onEmergencyStop, this));
-  subscribers_.push_back(
-      nh_.subscribe(sylph_ros::kSimulationTruthTopic, 1, &CentralNode::onTruth, this));
-  subscribers_.push_back(nh_.subscribe(std::string(sylph_ros::kExecuteMissionAction) + "/result",
-                                       10, &CentralNode::onMissionResult, this));
+  subscribe(sylph_ros::kJointActionsTopic, 1, &CentralNode::onJointActions);
+  subscribe(sylph_ros::kSeparationTopic, 1, &CentralNode::onSeparation);
+  subscribe(sylph_ros::kEmergencyStopTopic, 1, &CentralNode::onEmergencyStop);
+  subscribe(sylph_ros::kSimulationTruthTopic, 1, &CentralNode::onTruth);
+  subscribe(std::string(sylph_ros::kExecuteMissionAction) + "/result", 10,
+            &CentralNode::onMissionResult);
   for (int robot = 0; robot < execution_.robotCount(); ++robot) {
-    subscribers_.push_back(nh_.subscribe<sylph_msgs::TaskReport>(
-        sylph_ros::robotTopic(nh_, execution_.name(robot), sylph_ros::kTaskReportTopic), 10,
-        [this, robot](const sylph_msgs::TaskReport::ConstPtr& message) {
-          onReport(robot, *message);
-        }));
+    subscribers_.push_back(clock_.subscribe<sylph_msgs::TaskReport>(
+        nh_, sylph_ros::robotTopic(nh_, execution_.name(robot), sylph_ros::kTaskReportTopic), 10,
+        [this, robot](const sylph_msgs::TaskReport& message) { onReport(robot, message); }));
   }
 }
 
@@ -299,7 +300,7 @@ struct CentralNode::Follow {
 };
 
 void CentralNode::flush() {
-  const double stamp_s = ros::Time::now().toSec();
+  const double stamp_s = clock_.stamp().toSec();
   const std::vector<sylph::ExecutionEvent> events = execution_.takeEvents();
   const std::vector<sylph::TaskOrder> orders = execution_.takeOrders(clock_.now());
   has_changed_ = has_changed_ || !events.empty();
@@ -311,7 +312,7 @@ void CentralNode::flush() {
       }
       for (const sylph::TaskOrder& order : orders) {
         sylph_msgs::Task task = sylph_ros::toMessage(order, execution_.name(order.robot), frame_);
-        task.header.stamp = ros::Time::now();
+        task.header.stamp = clock_.stamp();
         task_publishers_[static_cast<std::size_t>(order.robot)].publish(task);
       }
       for (const sylph::ExecutionEvent& event : events) {
@@ -338,7 +339,7 @@ void CentralNode::publishState() {
   has_changed_ = false;
   state_sent_s_ = clock_.now();
   sylph_msgs::AdgState state = sylph_ros::toMessage(explain(execution_, state_sent_s_));
-  state.header.stamp = ros::Time::now();
+  state.header.stamp = clock_.stamp();
   if (!broken_.empty()) {
     state.plan_id = broken_plan_id_;
     state.phase = sylph_msgs::AdgState::REFUSED;

@@ -62,21 +62,18 @@ SeparationMonitorNode::SeparationMonitorNode(const ros::NodeHandle& nh,
   ROS_INFO("robots are stopped below a gap of %.1f mm", options_.limits.limit_m * 1e3);
   diagnostics_.setHardwareID("none");
   diagnostics_.add("separation", this, &SeparationMonitorNode::reportDiagnostics);
-  stop_publisher_ = nh_.advertise<std_msgs::Bool>(sylph_ros::kEmergencyStopTopic, 1, true);
-  state_publisher_ = nh_.advertise<sylph_msgs::SeparationState>(sylph_ros::kSeparationTopic, 10);
+  stop_publisher_ = clock_.advertise<std_msgs::Bool>(nh_, sylph_ros::kEmergencyStopTopic, 1, true);
+  state_publisher_ =
+      clock_.advertise<sylph_msgs::SeparationState>(nh_, sylph_ros::kSeparationTopic, 10);
   publishStop();
   reset_service_ = nh_.advertiseService(sylph_ros::kSeparationResetService,
                                         &SeparationMonitorNode::onReset, this);
   for (int robot = 0; robot < static_cast<int>(experiment_.robots.size()); ++robot) {
-    subscribers_.push_back(nh_.subscribe<geometry_msgs::PoseStamped>(
-        sylph_ros::robotTopic(nh_, name(robot), sylph_ros::kPoseTopic), 10,
-        [this, robot](const geometry_msgs::PoseStamped::ConstPtr& message) {
-          onPose(robot, *message);
-        },
-        ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay()));
+    subscribers_.push_back(clock_.subscribe<geometry_msgs::PoseStamped>(
+        nh_, sylph_ros::robotTopic(nh_, name(robot), sylph_ros::kPoseTopic), 10,
+        [this, robot](const geometry_msgs::PoseStamped& message) { onPose(robot, message); }));
   }
-  timer_ = nh_.createSteadyTimer(clock_.wall(1.0 / options_.rate_hz),
-                                 [this](const ros::SteadyTimerEvent&) { onTimer(); });
+  timer_ = clock_.createTimer(nh_, 1.0 / options_.rate_hz, [this] { onTimer(); });
 }
 
 void SeparationMonitorNode::onPose(int robot, const geometry_msgs::PoseStamped& message) {
@@ -126,7 +123,7 @@ void SeparationMonitorNode::publishStop() {
 
 void SeparationMonitorNode::publishState() {
   sylph_msgs::SeparationState state;
-  state.header.stamp = ros::Time::now();
+  state.header.stamp = clock_.stamp();
   state.header.frame_id = sylph_ros::kMapFrame;
   const sylph::PairGap closest = watch_.closest();
   state.separation_m = closest.gap_m;

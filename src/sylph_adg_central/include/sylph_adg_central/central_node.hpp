@@ -39,6 +39,9 @@ class CentralNode {
   struct Follow;  ///< what each event is followed by here
 
   void subscribe();
+  template <typename Message>
+  void subscribe(const std::string& topic, std::uint32_t queue_size,
+                 void (CentralNode::*handle)(const Message&));
   void advertiseServices();
   void rebuild();
 
@@ -84,11 +87,11 @@ class CentralNode {
   double state_sent_s_ = 0.0;   ///< steady time
   bool is_result_due_ = false;  ///< a mission has begun that has no result yet
 
-  std::vector<ros::Publisher> task_publishers_;
+  std::vector<sylph_ros::Publisher> task_publishers_;
   std::vector<ros::Subscriber> subscribers_;
   std::vector<ros::ServiceServer> services_;
-  ros::Publisher state_publisher_;
-  ros::SteadyTimer timer_;
+  sylph_ros::Publisher state_publisher_;
+  sylph_ros::Timer timer_;
   diagnostic_updater::Updater diagnostics_;
 };
 

@@ -60,10 +60,10 @@ class SeparationMonitorNode {
   bool is_violated_ = false;
 
   std::vector<ros::Subscriber> subscribers_;
-  ros::Publisher stop_publisher_;
-  ros::Publisher state_publisher_;
+  sylph_ros::Publisher stop_publisher_;
+  sylph_ros::Publisher state_publisher_;
   ros::ServiceServer reset_service_;
-  ros::SteadyTimer timer_;
+  sylph_ros::Timer timer_;
   diagnostic_updater::Updater diagnostics_;
 };
 
