@@ -68,6 +68,7 @@ MissionClient::MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_
       client_(nh_, sylph_ros::kExecuteMissionAction, false),
       diagnostics_subscriber_(
           nh_.subscribe("/diagnostics", 10, &MissionClient::onDiagnostics, this)) {
+  joinLockStep();
   // The planner refuses such weights too, but nobody would hear of it before the time-out.
   sylph::loadPolicyFor(experiment_.planning.planner, experiment_.planning.weights_path);
 }
@@ -78,7 +79,9 @@ bool MissionClient::run() {
       " robots, seed " + std::to_string(experiment_.seed) + ", planner " +
       experiment_.planning.planner);
   waitForServer(deadline);
-  waitForPoses(deadline);
+  if (!lock_step_) {
+    waitForPoses(deadline);  // in lock step none come before the mission is there
+  }
   old_result_ = timeOf(reportPath(nh_));
   sendMission();
   waitForResult();
@@ -94,6 +97,15 @@ bool MissionClient::run() {
   printRunReport();
   return result->outcome == sylph_msgs::ExecuteMissionResult::SUCCESS &&
          client_.getState() == actionlib::SimpleClientGoalState::SUCCEEDED;
+}
+
+void MissionClient::joinLockStep() {
+  const auto clock =
+      sylph_ros::SteadyClock::fromParameter(nh_, sylph_ros::LockStep::Stage::StartOnly);
+  lock_step_ = clock.lockStep();
+  if (lock_step_) {
+    lock_step_->requireAtStart([this] { return is_accepted_.load(); });
+  }
 }
 
 void MissionClient::waitForServer(Clock::time_point deadline) {
@@ -161,7 +173,7 @@ std::vector<std::string> MissionClient::captureFindings() {
 void MissionClient::sendMission() {
   printed_at_ = Clock::now();
   client_.sendGoal(
-      sylph_ros::toGoal(experiment_), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+      sylph_ros::toGoal(experiment_), Client::SimpleDoneCallback(), [this] { is_accepted_ = true; },
       [this](const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) { onFeedback(feedback); });
 }
 

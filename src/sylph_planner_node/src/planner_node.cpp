@@ -38,11 +38,12 @@ PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
                  nh_.resolveName(sylph_ros::kAdgStateTopic)),
       map_(toOccupancyGrid(lab_.grid, lab_.cell_size_m, lab_.corner)),
       joint_actions_publisher_(
-          nh_.advertise<sylph_msgs::JointActions>(sylph_ros::kJointActionsTopic, 1, true)),
+          clock_.advertise<sylph_msgs::JointActions>(nh_, sylph_ros::kJointActionsTopic, 1, true)),
       map_publisher_(nh_.advertise<nav_msgs::OccupancyGrid>(
           sylph_ros::fleetName(nh_, sylph_ros::kMapTopic), 1, true)),
-      adg_state_subscriber_(nh_.subscribe(sylph_ros::kAdgStateTopic, 10, &PlannerNode::onAdgState,
-                                          this, ros::TransportHints().tcpNoDelay())),
+      adg_state_subscriber_(clock_.subscribe<sylph_msgs::AdgState>(
+          nh_, sylph_ros::kAdgStateTopic, 10,
+          [this](const sylph_msgs::AdgState& state) { onAdgState(state); })),
       server_(nh_, sylph_ros::kExecuteMissionAction, false),
       diagnostics_(nh_, private_nh) {
   // Weights of no use are refused now rather than with the first mission.
@@ -53,10 +54,8 @@ PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
   server_.registerGoalCallback([this] { onGoal(); });
   server_.registerPreemptCallback([this] { onPreempt(); });
   server_.start();
-  map_timer_ = nh_.createSteadyTimer(clock_.wall(options_.map_period_s),
-                                     [this](const ros::SteadyTimerEvent&) { publishMap(); });
-  tick_timer_ = nh_.createSteadyTimer(clock_.wall(options_.tick_period_s),
-                                      [this](const ros::SteadyTimerEvent&) { tick(); });
+  map_timer_ = clock_.createTimer(nh_, options_.map_period_s, [this] { publishMap(); });
+  tick_timer_ = clock_.createTimer(nh_, options_.tick_period_s, [this] { tick(); });
 }
 
 void PlannerNode::onGoal() {
@@ -114,7 +113,7 @@ void PlannerNode::tick() {
 }
 
 void PlannerNode::publishMap() {
-  map_.header.stamp = ros::Time::now();
+  map_.header.stamp = clock_.stamp();
   map_.info.map_load_time = map_.header.stamp;
   map_publisher_.publish(map_);
 }
@@ -140,6 +139,12 @@ void PlannerNode::carryOutCommands() {
 
 void PlannerNode::carryOut(const command::Plan& command) {
   planning_ = std::async(std::launch::async, command.make);
+  if (const auto& lock_step = clock_.lockStep()) {
+    // Otherwise the machine's mood would decide at which moment of the lab a plan is ready.
+    lock_step->holdUntil([this] {
+      return planning_.wait_for(std::chrono::seconds(0)) == std::future_status::ready;
+    });
+  }
 }
 
 void PlannerNode::carryOut(const command::Publish& command) {
@@ -154,7 +159,7 @@ void PlannerNode::carryOut(const command::Publish& command) {
 }
 
 void PlannerNode::carryOut(const command::PublishAgain& /*command*/) {
-  plan_.header.stamp = ros::Time::now();
+  plan_.header.stamp = clock_.stamp();
   joint_actions_publisher_.publish(plan_);
 }
 

@@ -9,13 +9,11 @@ void PoseListener::start(const std::vector<std::string>& robots) {
   stop();
   poses_.clear();
   for (const std::string& robot : robots) {
-    const boost::function<void(const geometry_msgs::PoseStamped&)> store =
+    subscribers_.push_back(clock_.subscribe<geometry_msgs::PoseStamped>(
+        nh_, sylph_ros::robotTopic(nh_, robot, sylph_ros::kPoseTopic), 1,
         [this, robot](const geometry_msgs::PoseStamped& pose) {
           poses_[robot] = {pose, clock_.now()};
-        };
-    subscribers_.push_back(nh_.subscribe<geometry_msgs::PoseStamped>(
-        sylph_ros::robotTopic(nh_, robot, sylph_ros::kPoseTopic), 1, store, ros::VoidConstPtr(),
-        ros::TransportHints().tcpNoDelay()));
+        }));
   }
 }
 

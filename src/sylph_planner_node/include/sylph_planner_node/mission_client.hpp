@@ -5,9 +5,11 @@
 #include <ros/node_handle.h>
 #include <sylph_msgs/ExecuteMissionAction.h>
 
+#include <atomic>
 #include <chrono>
 #include <filesystem>
 #include <map>
+#include <memory>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -15,6 +17,7 @@
 
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_ros/parameter_reader.hpp"
+#include "sylph_ros/steady_clock.hpp"
 
 namespace sylph_planner_node {
 
@@ -55,6 +58,8 @@ class MissionClient {
   /// goes on with the plan that is being carried out.
   void waitForResult();
   void onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics);
+  /// Lab time stands still until the planner has the mission.
+  void joinLockStep();
   void onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback);
   void printRunReport();
   /// What the motion capture says is wrong with it, one line each.
@@ -65,6 +70,8 @@ class MissionClient {
   sylph::Experiment experiment_;
   Client client_;
   ros::Subscriber diagnostics_subscriber_;
+  std::shared_ptr<sylph_ros::LockStep> lock_step_;  ///< null unless the lab is in lock step
+  std::atomic<bool> is_accepted_{false};            ///< the mission, by the planner
   std::mutex mutex_;
   std::map<std::string, std::string> capture_findings_;  ///< by the name of the status
   /// When the result that stood in the run folder before this mission was written.

@@ -65,13 +65,13 @@ class PlannerNode {
   nav_msgs::OccupancyGrid map_;
   double feedback_sent_s_ = 0.0;  ///< steady time [s]
 
-  ros::Publisher joint_actions_publisher_;
+  sylph_ros::Publisher joint_actions_publisher_;
   ros::Publisher map_publisher_;
   ros::Subscriber adg_state_subscriber_;
   Server server_;
   diagnostic_updater::Updater diagnostics_;
-  ros::SteadyTimer map_timer_;
-  ros::SteadyTimer tick_timer_;
+  sylph_ros::Timer map_timer_;
+  sylph_ros::Timer tick_timer_;
 };
 
 }  // namespace sylph_planner_node
