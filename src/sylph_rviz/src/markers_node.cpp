@@ -12,7 +12,7 @@ namespace sylph_rviz {
 MarkersNode::MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
     : nh_(std::move(nh)),
       options_(sylph_ros::readStrictly(private_nh, readOptions)),
-      clock_(sylph_ros::SteadyClock::fromParameter(nh_)) {
+      clock_(sylph_ros::SteadyClock::ofSpectator(nh_)) {
   std::string experiment;
   sylph_ros::read(nh_, sylph_ros::kExperimentParameter, experiment);
   has_experiment_ = !experiment.empty();
