@@ -1,10 +1,12 @@
 #include "sylph_planner_node/mission_client.hpp"
 
 #include <geometry_msgs/PoseStamped.h>
+#include <ros/names.h>
 
 #include <atomic>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <iostream>
 #include <memory>
 #include <stdexcept>
@@ -14,6 +16,7 @@
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/missions.hpp"
 #include "sylph_ros/parameters.hpp"
+#include "sylph_ros/reachability.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_planner_node {
@@ -21,6 +24,8 @@ namespace {
 
 constexpr std::chrono::milliseconds kPollPeriod{50};
 constexpr char kReportFile[] = "result.yaml";
+constexpr std::chrono::seconds kReachabilityPeriod{10};
+constexpr double kConnectTimeout = 1.0;          // [s]
 constexpr char kCaptureNode[] = "mocap_bridge";  ///< part of the names of its diagnostics
 
 void say(const std::string& text) {
@@ -130,14 +135,14 @@ void MissionClient::waitForPoses(Clock::time_point deadline) {
       if (Clock::now() > deadline) {
         std::string message =
             "no pose on " + topic + ": is " + robot.rigid_body + " seen by the motion capture?";
-        for (const std::string& finding : captureFindings()) {
+        for (const std::string& finding : findings()) {
           message += "\n    " + finding;
         }
         throw std::runtime_error(message);
       }
       if (Clock::now() > next_word) {
         say("waiting for a pose on " + topic);
-        for (const std::string& finding : captureFindings()) {
+        for (const std::string& finding : findings()) {
           say("    " + finding);
         }
         next_word += seconds(options_.progress_period_s);
@@ -161,13 +166,28 @@ void MissionClient::onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagno
   }
 }
 
-std::vector<std::string> MissionClient::captureFindings() {
+std::vector<std::string> MissionClient::findings() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<std::string> lines;
+  std::vector<std::string> lines = unreachableNodes();
   for (const auto& [name, line] : capture_findings_) {
     lines.push_back(line);
   }
   return lines;
+}
+
+const std::vector<std::string>& MissionClient::unreachableNodes() {
+  if (reachability_.valid()) {
+    if (reachability_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
+      unreachable_ = reachability_.get();
+    }
+  } else if (Clock::now() - reachability_asked_ > kReachabilityPeriod) {
+    reachability_asked_ = Clock::now();
+    reachability_ =
+        std::async(std::launch::async, [fleet = ros::names::parentNamespace(nh_.getNamespace())] {
+          return sylph_ros::unreachablePublishers(fleet, kConnectTimeout);
+        });
+  }
+  return unreachable_;
 }
 
 void MissionClient::sendMission() {
@@ -212,6 +232,12 @@ void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr&
   last_headline_ = headline;
   printed_at_ = Clock::now();
   say(text);
+  if (!feedback->waiting.empty()) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    for (const std::string& line : unreachableNodes()) {
+      say("    " + line);
+    }
+  }
 }
 
 void MissionClient::printRunReport() {

@@ -104,6 +104,37 @@ TEST_F(MissionClientTest, SaysWhatTheMotionCaptureLacks) {
   }
 }
 
+TEST_F(MissionClientTest, NamesANodeThatIsRegisteredByANameWhichThisComputerDoesNotKnow) {
+  central_.silencePoseOf("robot_1");
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue payload;
+  request[0] = "/robot_1/robot";
+  request[1] = "/robot_1/task_report";
+  request[2] = "sylph_msgs/TaskReport";
+  request[3] = "http://cf1.invalid:4211/";
+  ASSERT_TRUE(ros::master::execute("registerPublisher", request, response, payload, false));
+  const ros::NodeHandle options("~patient");
+  options.setParam("start_timeout_s", 4.0);
+  options.setParam("progress_period_s", 0.2);
+  MissionClient patient(ros::NodeHandle("/sylph"), options);
+  testing::internal::CaptureStdout();
+  try {
+    patient.run();
+    ADD_FAILURE() << "a mission without poses";
+  } catch (const std::runtime_error& error) {
+    EXPECT_NE(std::string::npos, std::string(error.what()).find("/robot_1/robot is registered at "))
+        << error.what();
+  }
+  const std::string said = testing::internal::GetCapturedStdout();
+  EXPECT_NE(std::string::npos, said.find("no address of 'cf1.invalid': set ROS_IP")) << said;
+  XmlRpc::XmlRpcValue again;
+  again[0] = request[0];
+  again[1] = request[1];
+  again[2] = request[3];
+  EXPECT_TRUE(ros::master::execute("unregisterPublisher", again, response, payload, false));
+}
+
 TEST_F(MissionClientTest, GivesAPlannerThatWasStartedAgainTheMissionAnew) {
   std::atomic<bool> follows{false};
   const boost::function<void(const sylph_msgs::ExecuteMissionActionFeedback&)> note =
