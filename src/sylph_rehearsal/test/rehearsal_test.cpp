@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <limits>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "open_lab.hpp"
 #include "sylph_rehearsal/seeds.hpp"
 
 namespace sylph_rehearsal {
@@ -48,25 +48,6 @@ TEST(RehearsalTest, TheSameSeedGivesTheSameEventLog) {
   EXPECT_NE(once.event_log, other.event_log);
 }
 
-LabFault faultOf(LabFaultKind kind, std::vector<std::size_t> robots, double at_s, double duration_s,
-                 double value = 0.0) {
-  LabFault fault;
-  fault.kind = kind;
-  fault.fault.robots = std::move(robots);
-  fault.fault.at_s = at_s;
-  fault.fault.duration_s = duration_s;
-  fault.fault.value = value;
-  return fault;
-}
-
-LabFault simulated(sylph_sim::FaultKind kind, std::vector<std::size_t> robots, double at_s,
-                   double duration_s) {
-  LabFault fault = faultOf(LabFaultKind::Simulated, std::move(robots), at_s, duration_s,
-                           sylph_sim::defaultValue(kind));
-  fault.fault.kind = kind;
-  return fault;
-}
-
 TEST(FaultedRehearsalTest, GoesOnAfterWhatPasses) {
   using sylph_sim::FaultKind;
   LabFault cut = faultOf(LabFaultKind::Network, {}, 4.0, 5.0);
@@ -101,16 +82,15 @@ TEST(FaultedRehearsalTest, GoesOnAfterWhatPasses) {
 
 TEST(FaultedRehearsalTest, StopsWithACauseAfterWhatDoesNot) {
   using sylph_sim::FaultKind;
-  const double for_good = std::numeric_limits<double>::infinity();
   for (const auto& [fault, cause] :
-       {std::pair{simulated(FaultKind::Dead, {0}, 4.0, for_good), "robot_0: no progress"},
-        std::pair{simulated(FaultKind::Lost, {0}, 4.0, for_good), "robot_0: no good pose"},
-        std::pair{simulated(FaultKind::YawFlip, {0}, 4.0, for_good), "robot_0: no good pose"},
-        std::pair{faultOf(LabFaultKind::CrashRobot, {0}, 4.0, for_good), "robot_0: no report"},
-        std::pair{faultOf(LabFaultKind::CrashCentral, {}, 4.0, for_good),
+       {std::pair{simulated(FaultKind::Dead, {0}, 4.0, kForGood), "robot_0: no progress"},
+        std::pair{simulated(FaultKind::Lost, {0}, 4.0, kForGood), "robot_0: no good pose"},
+        std::pair{simulated(FaultKind::YawFlip, {0}, 4.0, kForGood), "robot_0: no good pose"},
+        std::pair{faultOf(LabFaultKind::CrashRobot, {0}, 4.0, kForGood), "robot_0: no report"},
+        std::pair{faultOf(LabFaultKind::CrashCentral, {}, 4.0, kForGood),
                   "the central node is down"},
-        std::pair{faultOf(LabFaultKind::Stop, {}, 4.0, for_good), "stop: by the operator"},
-        std::pair{faultOf(LabFaultKind::DeclareLost, {0}, 4.0, for_good), "robot_0: lost"}}) {
+        std::pair{faultOf(LabFaultKind::Stop, {}, 4.0, kForGood), "stop: by the operator"},
+        std::pair{faultOf(LabFaultKind::DeclareLost, {0}, 4.0, kForGood), "robot_0: lost"}}) {
     SCOPED_TRACE(toName(fault));
     const Rehearsal run = rehearse(labExperiment("lab_room", 3), {}, nullptr, {fault});
     EXPECT_EQ(Ending::Stopped, run.ending);

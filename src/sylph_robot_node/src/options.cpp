@@ -82,13 +82,13 @@ void readWatches(sylph_ros::ParameterReader& reader, sylph::RobotControllerOptio
   reader.read("central_timeout_s", controller.supervisor.central_timeout_s, {0.05, 60.0},
               "without AdgState for so long it finishes its task and holds");
   reader.read("pose_jump_m", controller.watch.jump_m, {0.001, 10.0},
-              "what a pose may be off beyond what the speed limit allows");
+              "what a pose may be off where the robot can have been driven");
   readDegrees(reader, "pose_jump_deg", controller.watch.jump_rad, {0.1, 180.0},
               "the same for the yaw");
   reader.read("good_poses", controller.watch.good_poses, count,
               "in a row, before a blind robot goes on");
   reader.read("consistent_poses", controller.watch.consistent_poses, count,
-              "in a row at another place, before that is believed");
+              "in a row at another place, before the operator can confirm it");
   reader.read("arrival_poses", controller.arrival_poses, count, "in a row, that show an arrival");
 }
 

@@ -7,7 +7,7 @@
 namespace sylph {
 namespace {
 
-constexpr double kMemory_s = 1.0;
+constexpr std::size_t kMemory = 500;
 
 struct Step {
   double distance;  // moved
@@ -35,6 +35,10 @@ void advance(MotionState& state, const Twist2d& command_map, double dt_s, double
   state.twist_map = {x.rate, y.rate, yaw.rate};
 }
 
+bool isSame(const Twist2d& a, const Twist2d& b) {
+  return a.x_mps == b.x_mps && a.y_mps == b.y_mps && a.turn_radps == b.turn_radps;
+}
+
 }  // namespace
 
 PosePredictor::PosePredictor(const BaseModel& model) : model_(model) {
@@ -49,11 +53,20 @@ void PosePredictor::command(double time_s, const Twist2d& twist_map) {
   MotionState before;
   if (!commands_.empty()) {
     const Command& last = commands_.back();
+    if (isSame(last.twist_map, twist_map)) {
+      return;  // it goes on: a robot that waits without a pose fills no memory
+    }
     before.twist_map = last.before_map;
     advance(before, last.twist_map, effective_s - last.effective_s, model_.lag_s);
   }
   commands_.push_back({effective_s, twist_map, before.twist_map});
-  while (commands_.size() > 1 && commands_[1].effective_s < time_s - kMemory_s) {
+  if (commands_.size() > kMemory) {
+    commands_.pop_front();
+  }
+}
+
+void PosePredictor::forgetBefore(double time_s) {
+  while (commands_.size() > 1 && commands_[1].effective_s < time_s) {
     commands_.pop_front();
   }
 }

@@ -6,13 +6,13 @@
 #include <limits>
 #include <stdexcept>
 
+#include "sylph_core/geometry/segment.hpp"
+
 namespace sylph {
 namespace {
 
-// Limits are what the robot is told; slip and noise of the stamps add to it.
+// A base may do more than it is told, and stamps have noise.
 constexpr double kExcess = 1.5;
-// After a gap the robot has stopped by itself.
-constexpr double kLongestGap_s = 0.3;
 // Stamps that go back by more are of a motion capture that started again.
 constexpr double kClockRestart_s = 0.5;
 
@@ -43,7 +43,7 @@ PoseWatch::PoseWatch(const PoseWatchOptions& options) : options_(options) {
   }
 }
 
-PoseVerdict PoseWatch::offer(const TimedPose& pose) {
+PoseVerdict PoseWatch::offer(const TimedPose& pose, const Pose2d& driven) {
   if (!isFinite(pose.pose)) {
     rejection_ = "pose is not finite";
     ++rejected_;
@@ -58,38 +58,46 @@ PoseVerdict PoseWatch::offer(const TimedPose& pose) {
   if (step_s <= 0.0 && !is_clock_new) {
     return PoseVerdict::Repeated;
   }
-  const bool is_same_place = other_place_ && agrees(*other_place_, pose);
-  if (!is_same_place && agrees(*last_, pose)) {
+  const bool is_possible = canBeAt(pose.pose, driven);
+  if (is_possible && !is_clock_new) {
     take(pose);
     return PoseVerdict::Good;
   }
-  const bool was_unseen = pose.received_s - last_seen_s_ > options_.timeout_s;
-  return reject(pose, is_same_place, was_unseen || is_clock_new);
+  return reject(pose, is_possible);
 }
 
-bool PoseWatch::agrees(const TimedPose& from, const TimedPose& to) const {
-  const double step_s = std::min(to.stamp_s - from.stamp_s, kLongestGap_s);
+bool PoseWatch::canBeAt(const Pose2d& pose, const Pose2d& driven) const {
+  const Pose2d& from = seen_->pose;
+  const Vector2 way = displacement(position(from), position(driven));
+  const double turn_rad = kExcess * shortestAngle(from.yaw_rad, driven.yaw_rad);
+  const double turned_rad = shortestAngle(from.yaw_rad, pose.yaw_rad);
+  return distanceToSegment(position(pose), position(from), position(from) + kExcess * way) <=
+             options_.jump_m &&
+         turned_rad >= std::min(0.0, turn_rad) - options_.jump_rad &&
+         turned_rad <= std::max(0.0, turn_rad) + options_.jump_rad;
+}
+
+bool PoseWatch::isSamePlace(const TimedPose& from, const TimedPose& to) const {
+  const double step_s = to.stamp_s - from.stamp_s;
   const double moved_m = distance(position(from.pose), position(to.pose));
   const double turned_rad = std::abs(shortestAngle(from.pose.yaw_rad, to.pose.yaw_rad));
   return step_s > 0.0 && moved_m <= kExcess * options_.speed_limit_mps * step_s + options_.jump_m &&
          turned_rad <= kExcess * options_.turn_rate_limit_radps * step_s + options_.jump_rad;
 }
 
-PoseVerdict PoseWatch::reject(const TimedPose& pose, bool is_same_place, bool may_be_true) {
+PoseVerdict PoseWatch::reject(const TimedPose& pose, bool may_be_true) {
   ++rejected_;
   rejection_ = text("pose jumped by %.2f m", distance(position(last_->pose), position(pose.pose))) +
                text(" and %.0f deg",
                     std::abs(shortestAngle(last_->pose.yaw_rad, pose.pose.yaw_rad)) * 180.0 / M_PI);
+  const bool is_same_place = other_place_ && isSamePlace(*other_place_, pose);
   consistent_ = is_same_place ? consistent_ + 1 : 1;
-  // Of a place seen before, the first sight counts.
-  may_be_true_ = is_same_place ? may_be_true_ : may_be_true;
   is_confirmed_ = is_same_place && is_confirmed_;
   other_place_ = pose;
-  last_seen_s_ = pose.received_s;
   if (consistent_ < options_.consistent_poses) {
     return PoseVerdict::Jumped;
   }
-  if (!may_be_true_ && !is_confirmed_) {
+  if (!may_be_true && !is_confirmed_) {
     rejection_ += ": put the cameras right, or stop and resume to believe it";
     return PoseVerdict::Jumped;
   }
@@ -106,7 +114,7 @@ bool PoseWatch::looksFrozen(const TimedPose& pose) const {
 void PoseWatch::take(const TimedPose& pose) {
   if (!looksFrozen(pose)) {
     unseen_travel_m_ = 0.0;
-    last_seen_s_ = pose.received_s;
+    seen_ = pose;
   }
   const bool was_blind = rejected_ >= options_.rejected_poses ||
                          (last_ && pose.received_s - last_->received_s > options_.timeout_s);

@@ -63,7 +63,11 @@ void RobotController::followTasks() {
 
 PoseVerdict RobotController::onPose(const TimedPose& pose) {
   const std::optional<TimedPose> before = watch_.last();
-  const PoseVerdict verdict = watch_.offer(pose);
+  if (followed_plan_ == 0) {
+    watch_.confirm();  // before its first task it does not drive: people put it where it is
+  }
+  const PoseVerdict verdict = watch_.offer(pose, drivenUntil(pose));
+  predictor_.forgetBefore(watch_.seen() ? watch_.seen()->captured_s : pose.captured_s);
   if (verdict != PoseVerdict::Good || watch_.problem(pose.received_s)) {
     arrival_poses_ = 0;
     return verdict;
@@ -75,6 +79,14 @@ PoseVerdict RobotController::onPose(const TimedPose& pose) {
   }
   detectArrival(pose.pose, twist_map);
   return verdict;
+}
+
+Pose2d RobotController::drivenUntil(const TimedPose& pose) const {
+  if (!watch_.seen()) {
+    return pose.pose;
+  }
+  const TimedPose& seen = *watch_.seen();
+  return predictor_.predict(seen.pose, seen.captured_s, pose.captured_s).pose;
 }
 
 void RobotController::learnSlip(const TimedPose& before, const TimedPose& now,

@@ -66,6 +66,16 @@ TEST(PosePredictorTest, AgreesWithSmallStepsThroughManyCommands) {
   EXPECT_NEAR(v_mps, state.twist_map.x_mps, 1e-3);
 }
 
+TEST(PosePredictorTest, RemembersHowARobotWasStoppedHoweverLongThatIsAgo) {
+  PosePredictor predictor({0.0, 0.1});
+  predictor.command(1.0, {0.2, 0.0, 0.0});
+  predictor.forgetBefore(2.0);
+  for (int tick = 0; tick < 5000; ++tick) {
+    predictor.command(2.5 + 0.02 * tick, {});
+  }
+  EXPECT_NEAR(0.2 * 0.5 + 0.2 * 0.1, predictor.predict({}, 2.0, 100.0).pose.x_m, 1e-6);
+}
+
 TEST(PosePredictorTest, YawIsPredictedAcrossTheSeam) {
   PosePredictor predictor({0.0, 0.0});
   predictor.command(0.0, {0.0, 0.0, 0.5});

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace sylph {
 namespace {
@@ -20,7 +21,14 @@ class Feed {
 
   PoseVerdict frame(const Pose2d& pose) {
     now_s += kFrame_s;
-    return watch.offer({pose, now_s - 0.01, now_s - 0.01, now_s});
+    return offer({pose, now_s - 0.01, now_s - 0.01, now_s});
+  }
+  /// Of a robot that its commands have led by `driven_x_m` since it was seen.
+  PoseVerdict offer(const TimedPose& pose) {
+    Pose2d driven = watch.seen() ? watch.seen()->pose : Pose2d{};
+    driven.x_m += driven_x_m;
+    driven.yaw_rad += driven_yaw_rad;
+    return watch.offer(pose, driven);
   }
   PoseVerdict frames(int count, const Pose2d& pose) {
     PoseVerdict verdict = PoseVerdict::Good;
@@ -33,6 +41,8 @@ class Feed {
 
   PoseWatch watch;
   double now_s = 100.0;
+  double driven_x_m = 0.0;
+  double driven_yaw_rad = 0.0;
 };
 
 TEST(PoseWatchTest, TrustsAPoseAfterSeveralGoodOnes) {
@@ -62,7 +72,7 @@ TEST(PoseWatchTest, AnOldStampMakesBlindThoughPosesArrive) {
   Feed feed;
   for (int i = 0; i < 10; ++i) {
     feed.now_s += kFrame_s;
-    feed.watch.offer({{}, feed.now_s - 0.2, feed.now_s - 0.2, feed.now_s});
+    feed.offer({{}, feed.now_s - 0.2, feed.now_s - 0.2, feed.now_s});
   }
   EXPECT_EQ("pose is 0.20 s old by its stamp", feed.problem());
 }
@@ -71,7 +81,7 @@ TEST(PoseWatchTest, AStampFarAheadMakesBlind) {
   Feed feed;
   for (int i = 0; i < 10; ++i) {
     feed.now_s += kFrame_s;
-    feed.watch.offer({{}, feed.now_s + 0.3, feed.now_s + 0.3, feed.now_s});
+    feed.offer({{}, feed.now_s + 0.3, feed.now_s + 0.3, feed.now_s});
   }
   EXPECT_NE(std::string::npos, feed.problem().find("check the clocks"));
 }
@@ -100,15 +110,39 @@ TEST(PoseWatchTest, AYawFlipIsAJump) {
   EXPECT_EQ("pose jumped by 0.00 m and 180 deg", feed.problem());
 }
 
-TEST(PoseWatchTest, ANewPlaceAfterAGapIsBelievedWhenPosesAgree) {
-  Feed feed;
-  feed.frames(5, {1.0, 1.0, 0.0});
-  feed.now_s += 0.5;
-  EXPECT_EQ(PoseVerdict::Jumped, feed.frames(11, {1.3, 1.0, 0.0}));
-  EXPECT_NE("", feed.problem());
-  EXPECT_EQ(PoseVerdict::Recovered, feed.frame({1.3, 1.0, 0.0}));
-  EXPECT_EQ("", feed.problem());
-  EXPECT_DOUBLE_EQ(1.3, feed.watch.last()->pose.x_m);
+TEST(PoseWatchTest, AFalsePlaceIsNotBelievedHoweverLongTheRobotWasUnseen) {
+  for (const double gap_s : {0.05, 0.12, 0.3, 5.0, 3600.0}) {
+    SCOPED_TRACE(gap_s);
+    Feed feed;
+    feed.frames(5, {1.0, 1.0, 0.0});
+    feed.now_s += gap_s;
+    EXPECT_EQ(PoseVerdict::Jumped, feed.frames(200, {1.0, 1.1, 0.0}));
+    EXPECT_NE(std::string::npos, feed.problem().find("put the cameras right")) << feed.problem();
+    EXPECT_DOUBLE_EQ(1.0, feed.watch.last()->pose.y_m);
+    feed.watch.confirm();
+    EXPECT_EQ(PoseVerdict::Recovered, feed.frame({1.0, 1.1, 0.0}));
+    EXPECT_EQ("", feed.problem());
+  }
+}
+
+TEST(PoseWatchTest, AfterAGapARobotIsWhereverItCanHaveBeenDriven) {
+  for (const double share : {0.0, 0.5, 1.0, 1.4}) {  // stuck ... faster than told
+    SCOPED_TRACE(share);
+    Feed feed;
+    feed.frames(5, {1.0, 1.0, 0.0});
+    feed.now_s += 0.3;
+    feed.driven_x_m = 0.07;
+    EXPECT_EQ(PoseVerdict::Good, feed.frame({1.0 + share * 0.07, 1.02, 0.0}));
+  }
+  for (const auto& [x_m, y_m] :
+       {std::pair{1.14, 1.0}, std::pair{0.96, 1.0}, std::pair{1.05, 1.04}}) {
+    SCOPED_TRACE(x_m);
+    Feed feed;
+    feed.frames(5, {1.0, 1.0, 0.0});
+    feed.now_s += 0.3;
+    feed.driven_x_m = 0.07;
+    EXPECT_EQ(PoseVerdict::Jumped, feed.frame({x_m, y_m, 0.0}));
+  }
 }
 
 TEST(PoseWatchTest, AJumpFromOneFrameToTheNextIsNotBelievedHoweverLongItLasts) {
@@ -140,7 +174,10 @@ TEST(PoseWatchTest, ARobotThatRolledOnWhileItsPoseWasFrozenIsFoundAgain) {
     feed.watch.commanded(i < 30 ? 0.25 * kFrame_s : 0.0);
   }
   EXPECT_EQ("pose is frozen", feed.problem());
-  EXPECT_EQ(PoseVerdict::Recovered, feed.frames(12, {1.08, 1.0, 0.0}));
+  feed.driven_x_m = 30 * 0.25 * kFrame_s;
+  EXPECT_EQ(PoseVerdict::Good, feed.frame({1.08, 1.0, 0.0}));
+  feed.driven_x_m = 0.0;
+  EXPECT_EQ(PoseVerdict::Good, feed.frames(3, {1.08001, 1.0, 0.0}));
   EXPECT_EQ("", feed.problem());
 }
 
@@ -156,6 +193,8 @@ TEST(PoseWatchTest, PosesThatJumpToAndFroAreNeverBelieved) {
 
 TEST(PoseWatchTest, ARobotAtFullSpeedNeverJumps) {
   Feed feed;
+  feed.driven_x_m = 0.25 * kFrame_s;
+  feed.driven_yaw_rad = 0.5 * kFrame_s;
   for (int i = 0; i < 600; ++i) {
     ASSERT_EQ(PoseVerdict::Good, feed.frame({0.25 * i * kFrame_s, 0.0, 0.5 * i * kFrame_s}));
   }
@@ -165,14 +204,14 @@ TEST(PoseWatchTest, RepeatedAndOutOfOrderFramesDoNotCount) {
   Feed feed;
   feed.frames(5, {});
   const TimedPose last = *feed.watch.last();
-  EXPECT_EQ(PoseVerdict::Repeated, feed.watch.offer(last));
+  EXPECT_EQ(PoseVerdict::Repeated, feed.offer(last));
   TimedPose older = last;
   older.stamp_s -= 0.1;
-  EXPECT_EQ(PoseVerdict::Repeated, feed.watch.offer(older));
+  EXPECT_EQ(PoseVerdict::Repeated, feed.offer(older));
   feed.now_s += 0.2;
   TimedPose repeated = last;
   repeated.received_s = feed.now_s;
-  feed.watch.offer(repeated);
+  feed.offer(repeated);
   EXPECT_NE("", feed.problem());  // fresh messages with an old stamp are no fresh poses
 }
 
@@ -184,7 +223,7 @@ TEST(PoseWatchTest, AMotionCaptureThatStartsAgainIsBelieved) {
   for (int i = 0; i < 12; ++i) {
     feed.now_s += kFrame_s;
     stamp_s += kFrame_s;
-    verdict = feed.watch.offer({{1.0, 1.0, 0.0}, stamp_s, feed.now_s - 0.01, feed.now_s});
+    verdict = feed.offer({{1.0, 1.0, 0.0}, stamp_s, feed.now_s - 0.01, feed.now_s});
   }
   EXPECT_EQ(PoseVerdict::Recovered, verdict);
   EXPECT_EQ("", feed.problem());

@@ -47,6 +47,14 @@ class World {
     }
   }
 
+  /// The operator looks and lets all go on.
+  void stopAndResume() {
+    mode = ExecutionMode::Stop;
+    run(0.3);
+    mode = ExecutionMode::Run;
+    run(0.3);
+  }
+
   void loseSightFor(double duration_s) {
     cameras_send = false;
     run(duration_s);
@@ -289,10 +297,14 @@ TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
   world.loseSightFor(0.3);
   world.camera_offset.y_m = 0.5;
   world.run(0.5);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  world.stopAndResume();
   EXPECT_EQ(RobotState::Holding, world.report().state);
   EXPECT_NE(std::string::npos, world.report().detail.find("put it back"));
   world.loseSightFor(0.3);
   world.camera_offset.y_m = 0.0;
+  world.run(0.3);
+  world.stopAndResume();
   world.run(4.0);
   EXPECT_EQ(2, world.report().done);
 }
@@ -314,15 +326,41 @@ TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
   EXPECT_EQ(RobotState::Moving, world.report().state);
 }
 
+TEST(RobotControllerTest, ARobotWithoutATaskIsWherePeoplePutIt) {
+  World world({2, 0});
+  world.run(0.2);
+  world.loseSightFor(0.5);
+  world.pose.x_m += 0.3;
+  world.run(0.3);
+  EXPECT_EQ(RobotState::Idle, world.report().state);
+  EXPECT_NEAR(0.45, world.report().pose->x_m, 0.01);
+}
+
+TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(2.0);
+  world.loseSightFor(0.12);
+  world.camera_offset.y_m = 0.1;
+  world.run(3.0);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  EXPECT_NEAR(0.75, world.pose.y_m, 0.005);
+  world.camera_offset.y_m = 0.0;
+  world.run(5.0);
+  EXPECT_EQ(4, world.report().done);
+}
+
 TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
   World world({2, 0});
   world.run(0.2);
   world.sendEastward(1);
   world.run(0.5);
-  world.cameras_send = false;
-  world.run(0.2);
+  world.loseSightFor(0.2);
   world.pose.y_m += 0.08;
-  world.cameras_send = true;
+  world.run(0.3);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  world.stopAndResume();
   world.run(4.0);
   EXPECT_EQ(1, world.report().done);
   EXPECT_LT(world.report().tracking_error_m, 0.01);
@@ -350,11 +388,14 @@ TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
   world.loseSightFor(0.3);
   world.camera_offset.yaw_rad = 1.5;
   world.run(1.0);
+  world.stopAndResume();
   EXPECT_EQ(RobotState::Holding, world.report().state);
   EXPECT_NE(std::string::npos, world.report().detail.find("heading"));
   EXPECT_DOUBLE_EQ(0.0, world.command_robot.turn_radps);
   world.loseSightFor(0.3);
   world.camera_offset.yaw_rad = 0.0;
+  world.run(0.3);
+  world.stopAndResume();
   world.run(4.0);
   EXPECT_EQ(2, world.report().done);
 }

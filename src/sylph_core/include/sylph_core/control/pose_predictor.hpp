@@ -33,9 +33,11 @@ class PosePredictor {
 
   /// Tells of a command sent at `time_s`; times must not decrease.
   void command(double time_s, const Twist2d& twist_map);
+  /// From now on nobody asks for poses captured before `time_s`.
+  void forgetBefore(double time_s);
 
-  /// The state at `time_s`, from a pose captured at `captured_s`.
-  /// Commands older than 1 s count as having lasted for ever.
+  /// The state at `time_s`, from a pose captured at `captured_s`. What is forgotten counts as
+  /// motion that is over; so do all commands but the last 500.
   MotionState predict(const Pose2d& captured, double captured_s, double time_s) const;
 
  private:

@@ -61,6 +61,8 @@ class RobotController {
   bool isDisplaced() const;
   Whereabouts whereabouts(double now_s) const;
   void followTasks();
+  /// Where its commands lead the robot from where it was seen last until the capture of `pose`.
+  Pose2d drivenUntil(const TimedPose& pose) const;
   void learnSlip(const TimedPose& before, const TimedPose& now, const Twist2d& model_map);
   void detectArrival(const Pose2d& pose, const Twist2d& twist_map);
   int lastWaypoint(Permission permission);

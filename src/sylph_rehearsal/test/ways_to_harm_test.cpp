@@ -1,0 +1,34 @@
+// Schedules with which robots once came to harm, although nothing that protects them was off.
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "open_lab.hpp"
+#include "sylph_rehearsal/rehearsal.hpp"
+
+namespace sylph_rehearsal {
+namespace {
+
+using sylph_sim::FaultKind;
+
+/// robot_0 drives north past robot_1, which is parked in the column beside.
+sylph::Experiment passing(std::uint32_t seed) {
+  return openLab(7, 4, {{{6, 1}, {0, 1}}, {{1, 2}, {1, 2}}}, seed);
+}
+
+TEST(FalsePlaceTest, AfterAShortOcclusionMovesNoRobot) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    for (const double unseen_s : {0.12, 0.3, 1.0}) {
+      SCOPED_TRACE(std::to_string(seed) + ", " + std::to_string(unseen_s) + " s");
+      const Rehearsal run = rehearse(passing(seed), {}, nullptr,
+                                     {simulated(FaultKind::Lost, {0}, 4.0, unseen_s),
+                                      simulated(FaultKind::Jump, {0}, 4.0, kForGood, -0.1)});
+      EXPECT_EQ(Ending::Stopped, run.ending) << run.cause;
+      EXPECT_NE(std::string::npos, run.cause.find("robot_0: no good pose: pose jumped"))
+          << run.cause;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace sylph_rehearsal
