@@ -39,20 +39,10 @@ MarkersNode::MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
 
 void MarkersNode::onAdgState(const sylph_msgs::AdgState& message) {
   last_input_s_ = clock_.now();
-  for (const sylph_msgs::RobotExecution& robot : message.robots) {
-    if (findRobot(scene_, robot.robot_id) == nullptr && !robot.robot_id.empty()) {
-      addRobot(robot.robot_id);
-    }
+  setState(scene_, message);
+  while (inputs_.size() < scene_.robots.size()) {
+    listenTo(inputs_.size());
   }
-  for (RobotView& view : scene_.robots) {
-    view.execution.reset();
-    for (const sylph_msgs::RobotExecution& robot : message.robots) {
-      if (robot.robot_id == view.name) {
-        view.execution = robot;
-      }
-    }
-  }
-  scene_.state = message;
 }
 
 void MarkersNode::onMap(const nav_msgs::OccupancyGrid& message) {
@@ -73,13 +63,6 @@ void MarkersNode::onPose(std::size_t robot, const geometry_msgs::PoseStamped& me
   scene_.robots[robot].pose = judged.pose;
   last_input_s_ = clock_.now();
   inputs_[robot].pose_received_s = last_input_s_;
-}
-
-void MarkersNode::addRobot(const std::string& name) {
-  RobotView view;
-  view.name = name;
-  scene_.robots.push_back(std::move(view));
-  listenTo(scene_.robots.size() - 1);
 }
 
 void MarkersNode::listenTo(std::size_t robot) {

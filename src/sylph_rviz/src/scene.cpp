@@ -10,6 +10,25 @@ namespace sylph_rviz {
 using sylph_msgs::AdgState;
 using sylph_msgs::RobotExecution;
 
+void setState(Scene& scene, const AdgState& state) {
+  for (RobotView& view : scene.robots) {
+    view.execution.reset();
+  }
+  for (const RobotExecution& robot : state.robots) {
+    if (robot.robot_id.empty()) {
+      continue;
+    }
+    auto view = std::find_if(scene.robots.begin(), scene.robots.end(),
+                             [&](const RobotView& known) { return known.name == robot.robot_id; });
+    if (view == scene.robots.end()) {
+      view = scene.robots.emplace(scene.robots.end());
+      view->name = robot.robot_id;
+    }
+    view->execution = robot;
+  }
+  scene.state = state;
+}
+
 std::optional<sylph::Point> centerOf(const Scene& scene, const sylph::Cell& cell) {
   if (!scene.map) {
     return std::nullopt;

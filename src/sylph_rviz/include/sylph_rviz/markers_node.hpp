@@ -43,7 +43,6 @@ class MarkersNode {
   void onAdgState(const sylph_msgs::AdgState& message);
   void onMap(const nav_msgs::OccupancyGrid& message);
   void onPose(std::size_t robot, const geometry_msgs::PoseStamped& message);
-  void addRobot(const std::string& name);
   void listenTo(std::size_t robot);
   void publishLayers();
 

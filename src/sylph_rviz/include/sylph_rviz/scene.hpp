@@ -41,6 +41,10 @@ struct Scene {
   std::optional<sylph_msgs::SeparationState> separation;  ///< the last one
 };
 
+/// Takes over a state of execution: each of its robots is in the scene then, new ones behind those
+/// that were there. Robots that it does not name keep their pose and lose what they did.
+void setState(Scene& scene, const sylph_msgs::AdgState& state);
+
 /// Centre of a cell, or nothing before the map is known.
 std::optional<sylph::Point> centerOf(const Scene& scene, const sylph::Cell& cell);
 
