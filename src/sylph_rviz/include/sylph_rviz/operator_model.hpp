@@ -1,0 +1,108 @@
+#pragma once
+
+#include <nav_msgs/OccupancyGrid.h>
+#include <sylph_msgs/AdgState.h>
+#include <sylph_msgs/ExecuteMissionFeedback.h>
+#include <sylph_msgs/ExecuteMissionResult.h>
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/geometry/pose2d.hpp"
+#include "sylph_rviz/scene.hpp"
+
+namespace sylph_rviz {
+
+/// Who is on the other end of the panel's topics.
+enum class Source {
+  None,   ///< nobody sends the state of execution
+  Live,   ///< a central node
+  Replay  ///< a bag: there is no node to command
+};
+
+/// Why a command cannot be given, for the operator; empty: it can be.
+using Refusal = std::string;
+
+/// One robot as a line of the operator's table. What is not known is empty.
+struct RobotRow {
+  std::string name;
+  RobotStatus status = RobotStatus::Unknown;
+  std::string state;    ///< its status in a word
+  std::string cell;     ///< where it is, "(row,col)"
+  std::string waits;    ///< for whom and how long
+  std::string reason;   ///< why it does not go on, down to who holds everybody up
+  std::string partner;  ///< its name
+  std::optional<double> svo_deg;
+  std::optional<double> pose_age_s;        ///< since its last pose was measured
+  std::optional<double> tracking_error_m;  ///< from the way that it has to drive
+};
+
+/// All that the operator's panel shows.
+struct OperatorView {
+  std::string headline;   ///< where the mission stands
+  std::string message;    ///< how it ended, or why it does not go on; empty: nothing to say
+  bool is_alarm = false;  ///< whether `message` asks for the operator
+  int tasks_done = 0;     ///< of all robots
+  int tasks_total = 0;
+  std::optional<double> elapsed_s;
+  std::optional<double> left_s;  ///< at the pace so far; nothing before there is one
+  std::vector<RobotRow> rows;
+  Refusal start;
+  Refusal pause;
+  Refusal resume;
+  Refusal stop;
+  Refusal cancel;
+};
+
+/// What is known of a run, from messages alone: no clock, no ROS. Times are told by the caller, in
+/// seconds: ROS time for what robots do, steady time for what nodes do.
+class OperatorModel {
+ public:
+  /// @param source  of the messages
+  /// @param has_planner  whether somebody takes missions
+  void setSource(Source source, bool has_planner);
+  /// Takes over a state, and learns of its robots.
+  void onState(const sylph_msgs::AdgState& state, double steady_s);
+  /// A robot's good pose, measured at `stamp_s` of ROS time.
+  void onPose(const std::string& robot, const sylph::Pose2d& pose, double stamp_s);
+  /// Cells and their size; a map without cells changes nothing.
+  void onMap(const nav_msgs::OccupancyGrid& map);
+  void onFeedback(const sylph_msgs::ExecuteMissionFeedback& feedback, double steady_s);
+  void onResult(const sylph_msgs::ExecuteMissionResult& result);
+
+  /// Robots, their poses and what they do.
+  const Scene& scene() const { return scene_; }
+  OperatorView view(double ros_s, double steady_s) const;
+
+ private:
+  bool hasState(double steady_s) const;
+  bool isPlanning(double steady_s) const;
+  bool isUnderWay(double steady_s) const;
+  std::string headline(double steady_s) const;
+  void addMessage(OperatorView& view, double steady_s) const;
+  void addCommands(OperatorView& view, double steady_s) const;
+  RobotRow rowOf(const RobotView& robot, double ros_s) const;
+
+  Source source_ = Source::None;
+  bool has_planner_ = false;
+  Scene scene_;
+  std::optional<double> state_heard_s_;
+  std::map<std::string, double> pose_stamps_s_;
+  std::optional<sylph_msgs::ExecuteMissionFeedback> feedback_;
+  double feedback_heard_s_ = 0.0;
+  std::optional<sylph_msgs::ExecuteMissionResult> result_;
+};
+
+/// "4.2 s", "3 min 05 s".
+std::string durationText(double seconds);
+
+/// Why a robot does not go on: its fault, or for whom it waits, how long, and who holds them all
+/// up. Empty if it goes on.
+std::string waitText(const sylph_msgs::RobotExecution& robot);
+
+/// How far a robot is from the way that it has to drive now [m]; nothing without pose, task or map.
+std::optional<double> trackingError(const Scene& scene, const RobotView& robot);
+
+}  // namespace sylph_rviz

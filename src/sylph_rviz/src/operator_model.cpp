@@ -1,0 +1,282 @@
+#include "sylph_rviz/operator_model.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+
+#include "sylph_core/geometry/segment.hpp"
+#include "sylph_ros/conversions.hpp"
+#include "sylph_ros/missions.hpp"
+#include "sylph_rviz/conversions.hpp"
+
+namespace sylph_rviz {
+namespace {
+
+using sylph_msgs::AdgState;
+using sylph_msgs::RobotExecution;
+
+/// Ten messages of the central node, and four of the planner's feedback, come in this time.
+constexpr double kHeardS = 2.0;
+/// Before so many timesteps there is no pace to go by.
+constexpr std::uint32_t kPaceSteps = 3;
+/// Cells ahead that a robot may be in before the central node knows.
+constexpr std::size_t kCellsAhead = 3;
+
+bool isBusy(const AdgState& state) {
+  return state.phase == AdgState::PENDING || state.phase == AdgState::EXECUTING ||
+         state.phase == AdgState::CUTTING || state.phase == AdgState::AT_CUT;
+}
+
+std::string phaseText(const AdgState& state) {
+  switch (state.phase) {
+    case AdgState::PENDING:
+      return "waits to begin";
+    case AdgState::EXECUTING:
+      return "executing";
+    case AdgState::CUTTING:
+      return "runs to the commit cut";
+    case AdgState::AT_CUT:
+      return "plans anew";
+    case AdgState::FINISHED:
+      return "finished";
+    case AdgState::REFUSED:
+      return "plan refused";
+    default:
+      return "no mission";
+  }
+}
+
+std::string stateText(RobotStatus status, const RobotExecution& robot) {
+  switch (status) {
+    case RobotStatus::Enqueued:
+      return "drives";
+    case RobotStatus::Staged:
+      return "waits";
+    case RobotStatus::Done:
+      return "arrived";
+    case RobotStatus::Held:
+      return "held";
+    case RobotStatus::Fault:
+      return conditionName(robot);
+    default:
+      return "idle";
+  }
+}
+
+std::string cellText(const sylph_msgs::Cell& cell) {
+  return sylph::toString(sylph_ros::fromMessage(cell));
+}
+
+/// What the robot furthest behind still has to do, at the pace that it has had.
+std::optional<double> timeLeft(const AdgState& state) {
+  std::uint32_t step = state.steps;
+  for (const RobotExecution& robot : state.robots) {
+    if (robot.tasks_done < robot.tasks_total && robot.condition != RobotExecution::LOST) {
+      step = std::min(step, robot.step);
+    }
+  }
+  if (state.phase != AdgState::EXECUTING || step < kPaceSteps) {
+    return std::nullopt;
+  }
+  return state.elapsed_s * static_cast<double>(state.steps - step) / static_cast<double>(step);
+}
+
+}  // namespace
+
+void OperatorModel::setSource(Source source, bool has_planner) {
+  source_ = source;
+  has_planner_ = has_planner;
+}
+
+void OperatorModel::onState(const AdgState& state, double steady_s) {
+  if (isBusy(state) && scene_.state && scene_.state->plan_id != state.plan_id) {
+    result_.reset();
+  }
+  setState(scene_, state);
+  state_heard_s_ = steady_s;
+}
+
+void OperatorModel::onPose(const std::string& robot, const sylph::Pose2d& pose, double stamp_s) {
+  for (RobotView& view : scene_.robots) {
+    if (view.name == robot) {
+      view.pose = pose;
+      pose_stamps_s_[robot] = stamp_s;
+    }
+  }
+}
+
+void OperatorModel::onMap(const nav_msgs::OccupancyGrid& map) {
+  if (const auto extent = extentOf(map)) {
+    scene_.map = extent;
+  }
+}
+
+void OperatorModel::onFeedback(const sylph_msgs::ExecuteMissionFeedback& feedback,
+                               double steady_s) {
+  feedback_ = feedback;
+  feedback_heard_s_ = steady_s;
+  result_.reset();
+}
+
+void OperatorModel::onResult(const sylph_msgs::ExecuteMissionResult& result) {
+  result_ = result;
+  feedback_.reset();
+}
+
+bool OperatorModel::hasState(double steady_s) const {
+  // A replay that is paused or at its end says nothing and is there all the same.
+  return scene_.state && (source_ == Source::Replay || steady_s - *state_heard_s_ < kHeardS);
+}
+
+bool OperatorModel::isPlanning(double steady_s) const {
+  return feedback_ && steady_s - feedback_heard_s_ < kHeardS;
+}
+
+bool OperatorModel::isUnderWay(double steady_s) const {
+  return isPlanning(steady_s) || (hasState(steady_s) && isBusy(*scene_.state));
+}
+
+std::string OperatorModel::headline(double steady_s) const {
+  if (!hasState(steady_s)) {
+    return source_ == Source::Replay ? "replay: no state yet" : "no central node";
+  }
+  const AdgState& state = *scene_.state;
+  std::string text = isPlanning(steady_s) ? feedback_->phase : phaseText(state);
+  if (state.mode != AdgState::RUN) {
+    text = std::string(state.mode == AdgState::PAUSE ? "paused" : "STOPPED") + " (" + text + ")";
+  }
+  const auto arrived = std::count_if(state.robots.begin(), state.robots.end(),
+                                     [&state](const RobotExecution& robot) {
+                                       return statusOf(state, robot) == RobotStatus::Done;
+                                     });
+  if (isBusy(state)) {
+    text += ", " + std::to_string(arrived) + " of " + std::to_string(state.robots.size()) +
+            " robots arrived";
+  }
+  return (source_ == Source::Replay ? "replay: " : "") + text;
+}
+
+void OperatorModel::addMessage(OperatorView& view, double steady_s) const {
+  if (hasState(steady_s) && !scene_.state->message.empty()) {
+    view.message = scene_.state->message;
+    view.is_alarm = true;
+  } else if (result_) {
+    view.message = sylph_ros::outcomeName(result_->outcome) + ": " + result_->message;
+    view.is_alarm = result_->outcome != sylph_msgs::ExecuteMissionResult::SUCCESS;
+  }
+}
+
+void OperatorModel::addCommands(OperatorView& view, double steady_s) const {
+  if (source_ == Source::Replay) {
+    view.start = view.pause = view.resume = view.stop = view.cancel =
+        "a replay: no robot hears commands";
+    return;
+  }
+  if (!hasState(steady_s)) {
+    view.start = view.pause = view.resume = view.cancel = "no central node is heard";
+    return;  // stop stays: a central node that is not heard may still hear
+  }
+  const std::uint8_t mode = scene_.state->mode;
+  view.start = !has_planner_            ? "no planner takes missions"
+               : isUnderWay(steady_s)   ? "a mission is under way: cancel it first"
+               : mode == AdgState::STOP ? "stopped: resume first"
+                                        : "";
+  view.pause = mode == AdgState::PAUSE ? "paused already" : mode == AdgState::STOP ? "stopped" : "";
+  view.resume = mode == AdgState::RUN ? "robots are free to go" : "";
+  view.stop = mode == AdgState::STOP ? "stopped already" : "";
+  view.cancel = !isUnderWay(steady_s) ? "no mission is under way" : "";
+}
+
+RobotRow OperatorModel::rowOf(const RobotView& robot, double ros_s) const {
+  RobotRow row;
+  row.name = robot.name;
+  const auto stamp = pose_stamps_s_.find(robot.name);
+  if (stamp != pose_stamps_s_.end()) {
+    row.pose_age_s = std::max(0.0, ros_s - stamp->second);
+  }
+  if (!robot.execution || !scene_.state) {
+    return row;
+  }
+  row.status = statusOf(*scene_.state, *robot.execution);
+  row.state = stateText(row.status, *robot.execution);
+  row.cell = cellText(robot.execution->cell);
+  if (!robot.execution->waits_for_robot.empty()) {
+    row.waits = robot.execution->waits_for_robot + ", " + durationText(robot.execution->waited_s);
+  }
+  row.reason = waitText(*robot.execution);
+  row.partner = robot.execution->partner;
+  if (std::isfinite(robot.execution->svo_deg) && scene_.state->plan_id != 0) {
+    row.svo_deg = static_cast<double>(robot.execution->svo_deg);
+  }
+  row.tracking_error_m = trackingError(scene_, robot);
+  return row;
+}
+
+OperatorView OperatorModel::view(double ros_s, double steady_s) const {
+  OperatorView view;
+  view.headline = headline(steady_s);
+  addMessage(view, steady_s);
+  addCommands(view, steady_s);
+  for (const RobotView& robot : scene_.robots) {
+    view.rows.push_back(rowOf(robot, ros_s));
+    if (robot.execution) {
+      view.tasks_done += static_cast<int>(robot.execution->tasks_done);
+      view.tasks_total += static_cast<int>(robot.execution->tasks_total);
+    }
+  }
+  if (scene_.state && scene_.state->plan_id != 0) {
+    view.elapsed_s = scene_.state->elapsed_s;
+    view.left_s = timeLeft(*scene_.state);
+  }
+  return view;
+}
+
+std::string durationText(double seconds) {
+  char text[32];
+  if (seconds < 60.0) {
+    std::snprintf(text, sizeof(text), "%.1f s", seconds);
+  } else {
+    const long whole = std::lround(seconds);
+    std::snprintf(text, sizeof(text), "%ld min %02ld s", whole / 60, whole % 60);
+  }
+  return text;
+}
+
+std::string waitText(const RobotExecution& robot) {
+  if (robot.condition != RobotExecution::OK) {
+    return robot.root_cause;
+  }
+  if (robot.waits_for_robot.empty()) {
+    return "";
+  }
+  std::string text = "waits " + durationText(robot.waited_s) + " for " + robot.waits_for_robot +
+                     " to leave " + cellText(robot.waits_for_cell);
+  if (!robot.root_cause_robot.empty() &&
+      (robot.root_cause_robot != robot.waits_for_robot || !robot.root_cause.empty())) {
+    text += "; cause: " + robot.root_cause_robot;
+    if (!robot.root_cause.empty()) {
+      text += ", " + robot.root_cause;
+    }
+  }
+  return text;
+}
+
+std::optional<double> trackingError(const Scene& scene, const RobotView& robot) {
+  if (!robot.pose || !robot.execution || !scene.map) {
+    return std::nullopt;
+  }
+  const RobotExecution& execution = *robot.execution;
+  const sylph::Point position = sylph::position(*robot.pose);
+  auto from = centerOf(scene, sylph_ros::fromMessage(execution.cell));
+  double nearest_m = sylph::distanceToSegment(position, *from, *from);
+  const std::size_t cells = std::min(execution.remaining_path.size(), kCellsAhead + 1);
+  for (std::size_t k = 0; k < cells; ++k) {
+    const auto to = centerOf(scene, sylph_ros::fromMessage(execution.remaining_path[k]));
+    nearest_m = std::min(nearest_m, sylph::distanceToSegment(position, *from, *to));
+    from = to;
+  }
+  return nearest_m;
+}
+
+}  // namespace sylph_rviz

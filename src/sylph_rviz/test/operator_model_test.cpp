@@ -1,0 +1,160 @@
+#include "sylph_rviz/operator_model.hpp"
+
+#include <gtest/gtest.h>
+
+#include "test_scene.hpp"
+
+namespace sylph_rviz {
+namespace {
+
+using sylph_msgs::AdgState;
+using sylph_msgs::RobotExecution;
+
+/// A model that has heard the state of two robots at the steady time 0.
+class OperatorModelTest : public ::testing::Test {
+ protected:
+  OperatorModelTest() : state(*twoRobots().state) {
+    state.steps = 10;
+    model.setSource(Source::Live, true);
+  }
+  void hear(double steady_s = 0.0) { model.onState(state, steady_s); }
+  RobotRow row(std::size_t index) { return model.view(0.0, 0.0).rows.at(index); }
+
+  AdgState state;
+  OperatorModel model;
+};
+
+TEST_F(OperatorModelTest, HasARowForEachRobotInTheOrderOfTheLab) {
+  hear();
+  const OperatorView view = model.view(0.0, 0.0);
+  ASSERT_EQ(2U, view.rows.size());
+  EXPECT_EQ("robot_0", view.rows[0].name);
+  EXPECT_EQ("drives", view.rows[0].state);
+  EXPECT_EQ("robot_1", view.rows[0].partner);
+  EXPECT_DOUBLE_EQ(25.0, view.rows[0].svo_deg.value());
+  EXPECT_EQ("arrived", view.rows[1].state);
+  EXPECT_FALSE(view.rows[1].svo_deg) << "the planner gives none";
+  EXPECT_EQ(3, view.tasks_total);
+  EXPECT_EQ("executing, 1 of 2 robots arrived", view.headline);
+}
+
+TEST_F(OperatorModelTest, TellsForWhomARobotWaitsHowLongAndWhoIsTheCause) {
+  RobotExecution& robot = state.robots[0];
+  robot.waiting = 1;
+  robot.waits_for_robot = "robot_1";
+  robot.waits_for_cell.row = 3;
+  robot.waits_for_cell.col = 4;
+  robot.waited_s = 5.25;
+  robot.root_cause_robot = "robot_7";
+  robot.root_cause = "no good pose";
+  hear();
+  EXPECT_EQ("waits", row(0).state);
+  EXPECT_EQ("robot_1, 5.2 s", row(0).waits);
+  EXPECT_EQ("waits 5.2 s for robot_1 to leave (3,4); cause: robot_7, no good pose", row(0).reason);
+}
+
+TEST_F(OperatorModelTest, ShowsAFaultWithItsReason) {
+  state.robots[0].condition = RobotExecution::SILENT;
+  state.robots[0].root_cause = "has sent no report for 3 s";
+  hear();
+  EXPECT_EQ("SILENT", row(0).state);
+  EXPECT_EQ("has sent no report for 3 s", row(0).reason);
+}
+
+TEST_F(OperatorModelTest, MeasuresPoseAgeInRosTimeAndErrorFromTheWay) {
+  hear();
+  model.onPose("robot_0", {0.17, 0.3, 0.0}, 100.0);
+  EXPECT_DOUBLE_EQ(0.25, model.view(100.25, 0.0).rows[0].pose_age_s.value());
+  EXPECT_DOUBLE_EQ(0.0, model.view(99.0, 0.0).rows[0].pose_age_s.value()) << "a replay begins anew";
+  EXPECT_FALSE(row(0).tracking_error_m) << "without a map";
+  nav_msgs::OccupancyGrid map;
+  map.info.width = 5;
+  map.info.height = 4;
+  map.info.resolution = 0.3F;
+  model.onMap(map);
+  state.robots[0].cell.row = 3;
+  hear();
+  EXPECT_NEAR(0.02, row(0).tracking_error_m.value(), 1e-6) << "it drives north along x = 0.15";
+  EXPECT_FALSE(row(1).tracking_error_m) << "without a pose";
+}
+
+TEST_F(OperatorModelTest, EstimatesTheTimeLeftByThePaceOfTheRobotFurthestBehind) {
+  state.elapsed_s = 8.0;
+  state.robots[0].step = 2;
+  hear();
+  EXPECT_FALSE(model.view(0.0, 0.0).left_s) << "too early";
+  state.robots[0].step = 4;
+  hear();
+  EXPECT_DOUBLE_EQ(12.0, model.view(0.0, 0.0).left_s.value());
+}
+
+TEST_F(OperatorModelTest, RefusesCommandsThatMakeNoSenseNow) {
+  hear();
+  OperatorView view = model.view(0.0, 0.0);
+  EXPECT_EQ("a mission is under way: cancel it first", view.start);
+  EXPECT_EQ("", view.pause);
+  EXPECT_EQ("robots are free to go", view.resume);
+  EXPECT_EQ("", view.stop);
+  EXPECT_EQ("", view.cancel);
+
+  state.phase = AdgState::FINISHED;
+  state.mode = AdgState::STOP;
+  hear();
+  view = model.view(0.0, 0.0);
+  EXPECT_EQ("stopped: resume first", view.start);
+  EXPECT_EQ("", view.resume);
+  EXPECT_EQ("stopped already", view.stop);
+  EXPECT_EQ("no mission is under way", view.cancel);
+
+  state.mode = AdgState::RUN;
+  hear();
+  EXPECT_EQ("", model.view(0.0, 0.0).start);
+  model.setSource(Source::Live, false);
+  EXPECT_EQ("no planner takes missions", model.view(0.0, 0.0).start);
+}
+
+TEST_F(OperatorModelTest, ACentralNodeThatIsNotHeardCanStillBeStopped) {
+  hear();
+  const OperatorView view = model.view(0.0, 5.0);
+  EXPECT_EQ("no central node", view.headline);
+  EXPECT_EQ("no central node is heard", view.pause);
+  EXPECT_EQ("", view.stop);
+}
+
+TEST_F(OperatorModelTest, AReplayIsShownAndNotCommanded) {
+  model.setSource(Source::Replay, false);
+  hear();
+  const OperatorView view = model.view(0.0, 1000.0);  // paused for long
+  EXPECT_EQ("replay: executing, 1 of 2 robots arrived", view.headline);
+  for (const Refusal& refusal : {view.start, view.pause, view.resume, view.stop, view.cancel}) {
+    EXPECT_EQ("a replay: no robot hears commands", refusal);
+  }
+}
+
+TEST_F(OperatorModelTest, ShowsThePlannersPhaseAndHowTheMissionEnded) {
+  state.phase = AdgState::IDLE;
+  hear();
+  sylph_msgs::ExecuteMissionFeedback feedback;
+  feedback.phase = "planning";
+  model.onFeedback(feedback, 0.0);
+  EXPECT_EQ("planning", model.view(0.0, 0.0).headline);
+  EXPECT_EQ("a mission is under way: cancel it first", model.view(0.0, 0.0).start);
+
+  sylph_msgs::ExecuteMissionResult result;
+  result.outcome = sylph_msgs::ExecuteMissionResult::NO_POSE;
+  result.message = "no pose of robot_1 has come";
+  model.onResult(result);
+  const OperatorView view = model.view(0.0, 0.0);
+  EXPECT_EQ("no mission", view.headline);
+  EXPECT_EQ("NO_POSE: no pose of robot_1 has come", view.message);
+  EXPECT_TRUE(view.is_alarm);
+  EXPECT_EQ("", view.start);
+}
+
+TEST(DurationTextTest, SpeaksOfMinutesAboveOne) {
+  EXPECT_EQ("4.2 s", durationText(4.2));
+  EXPECT_EQ("3 min 05 s", durationText(185.0));
+}
+
+}  // namespace
+}  // namespace sylph_rviz
