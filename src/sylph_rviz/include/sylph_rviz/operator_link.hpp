@@ -1,0 +1,86 @@
+#pragma once
+
+#include <actionlib/client/simple_action_client.h>
+#include <geometry_msgs/PoseStamped.h>
+#include <ros/callback_queue.h>
+#include <ros/node_handle.h>
+#include <sylph_msgs/ExecuteMissionAction.h>
+
+#include <atomic>
+#include <cstdint>
+#include <future>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+#include "sylph_rviz/experiment_choices.hpp"
+#include "sylph_rviz/operator_model.hpp"
+#include "sylph_rviz/trigger_call.hpp"
+
+namespace sylph_rviz {
+
+/// What an operator has chosen to run.
+struct MissionChoice {
+  std::string experiment_path;
+  std::string planner;                ///< empty: the experiment's
+  std::optional<std::uint32_t> seed;  ///< of what the experiment calls random; nothing: its own
+};
+
+/// The panel's end of the ROS graph. It has threads of its own, and no call of it waits for a node,
+/// the master or a file: RViz goes on whatever becomes of those.
+class OperatorLink {
+ public:
+  /// @param suite_nh  in the suite's namespace
+  explicit OperatorLink(const ros::NodeHandle& suite_nh);
+  ~OperatorLink();
+  OperatorLink(const OperatorLink&) = delete;
+  OperatorLink& operator=(const OperatorLink&) = delete;
+
+  /// What there is to show now.
+  OperatorView view() const;
+  /// What the lab can run; empty as long as the lab's own experiment is not known.
+  std::vector<ExperimentChoice> experiments() const;
+  /// How the last command ended, in one line, once; empty: nothing new.
+  std::string takeOutcome();
+
+  /// Sends the mission of an experiment to the planner.
+  void start(const MissionChoice& choice);
+  /// Ends the mission: robots hold at their next cells.
+  void cancel();
+  void pause() { pause_.call(); }
+  void resume() { resume_.call(); }
+  void stop() { stop_.call(); }
+
+ private:
+  using Client = actionlib::SimpleActionClient<sylph_msgs::ExecuteMissionAction>;
+
+  void serveCallbacks();
+  void watchGraph();
+  void lookAround();
+  void onState(const sylph_msgs::AdgState& state);
+  void listenToPose(const std::string& robot);
+
+  ros::NodeHandle nh_;
+  ros::CallbackQueue queue_;
+  mutable std::mutex mutex_;  ///< of the model, the choices and the outcome
+  OperatorModel model_;
+  std::vector<ExperimentChoice> experiments_;
+  std::string lab_path_;
+  std::string outcome_;
+  std::map<std::string, ros::Subscriber> poses_;  ///< of the thread that serves callbacks
+  std::vector<ros::Subscriber> subscribers_;
+  std::unique_ptr<Client> client_;
+  TriggerCall pause_;
+  TriggerCall resume_;
+  TriggerCall stop_;
+  std::future<void> start_;
+  std::atomic<bool> is_ending_{false};
+  std::thread callbacks_;
+  std::thread graph_;
+};
+
+}  // namespace sylph_rviz
