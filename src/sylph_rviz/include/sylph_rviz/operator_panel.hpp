@@ -1,0 +1,62 @@
+#pragma once
+
+#include <rviz/panel.h>
+
+#include <memory>
+
+#include "sylph_rviz/operator_link.hpp"
+
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QSpinBox;
+class QTableWidget;
+class QVBoxLayout;
+
+namespace sylph_rviz {
+
+/// RViz panel `sylph_rviz/OperatorPanel`: where the mission stands, a line for each robot, and the
+/// operator's commands.
+class OperatorPanel : public rviz::Panel {
+  Q_OBJECT
+
+ public:
+  explicit OperatorPanel(QWidget* parent = nullptr);
+  ~OperatorPanel() override;
+
+  /// Brings what is shown up to date. Called by a timer.
+  void refresh();
+
+ private:
+  void buildMission(QVBoxLayout* column);
+  void buildCommands(QVBoxLayout* column);
+  void buildTable(QVBoxLayout* column);
+  static QPushButton* makeButton(const char* name, const QString& text);
+  void start();
+  void showExperiments();
+  void showMission(const OperatorView& view);
+  void showCommands(const OperatorView& view);
+  void showRows(const OperatorView& view);
+  void showReasons(const OperatorView& view);
+
+  std::unique_ptr<OperatorLink> link_;
+  std::vector<ExperimentChoice> experiments_;
+  QComboBox* experiment_ = nullptr;
+  QComboBox* planner_ = nullptr;
+  QSpinBox* seed_ = nullptr;
+  QLabel* headline_ = nullptr;
+  QProgressBar* progress_ = nullptr;
+  QLabel* times_ = nullptr;
+  QLabel* message_ = nullptr;
+  QLabel* outcome_ = nullptr;
+  QPushButton* start_ = nullptr;
+  QPushButton* pause_ = nullptr;
+  QPushButton* resume_ = nullptr;
+  QPushButton* stop_ = nullptr;
+  QPushButton* cancel_ = nullptr;
+  QTableWidget* table_ = nullptr;
+  QLabel* reasons_ = nullptr;
+};
+
+}  // namespace sylph_rviz

@@ -1,0 +1,325 @@
+#include "sylph_rviz/operator_panel.hpp"
+
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QPainter>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QStandardItemModel>
+#include <QStyledItemDelegate>
+#include <QTableWidget>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <cmath>
+#include <pluginlib/class_list_macros.hpp>
+
+#include "sylph_core/planners/planner.hpp"
+#include "sylph_ros/topics.hpp"
+#include "sylph_rviz/palette.hpp"
+
+namespace sylph_rviz {
+namespace {
+
+constexpr int kRefreshPeriodMs = 100;
+// Columns of the table.
+constexpr int kRobot = 0;
+constexpr int kState = 1;
+constexpr int kCell = 2;
+constexpr int kPartner = 3;
+constexpr int kSvo = 4;
+constexpr int kPoseAge = 5;
+constexpr int kError = 6;
+constexpr int kWaits = 7;
+constexpr int kColumns = 8;
+
+QColor toQColor(const std_msgs::ColorRGBA& color) {
+  return QColor::fromRgbF(color.r, color.g, color.b);
+}
+
+/// Colour of a status, as its badge in the scene has it.
+QColor statusColor(RobotStatus status) {
+  switch (status) {
+    case RobotStatus::Enqueued:
+      return toQColor(bluishGreen());
+    case RobotStatus::Staged:
+      return toQColor(orange());
+    case RobotStatus::Done:
+      return toQColor(skyBlue());
+    case RobotStatus::Held:
+      return toQColor(yellow());
+    case RobotStatus::Fault:
+      return toQColor(vermillion());
+    default:
+      return toQColor(grey());
+  }
+}
+
+/// Draws the SVO as a bar from 0 to 45 degrees with the number on it.
+class SvoDelegate : public QStyledItemDelegate {
+ public:
+  using QStyledItemDelegate::QStyledItemDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option,
+             const QModelIndex& index) const override {
+    QStyledItemDelegate::paint(painter, option, QModelIndex());
+    const QVariant value = index.data(Qt::UserRole);
+    if (!value.isValid()) {
+      return;
+    }
+    constexpr double kLargestDeg = 45.0;
+    QRect bar = option.rect.adjusted(3, 4, -3, -4);
+    painter->setPen(QColor(120, 120, 120));
+    painter->setBrush(Qt::NoBrush);
+    painter->drawRect(bar);
+    bar.setWidth(static_cast<int>(bar.width() * std::min(1.0, value.toDouble() / kLargestDeg)));
+    painter->fillRect(bar, toQColor(svoColor(value.toDouble())));
+    painter->setPen(option.palette.color(QPalette::Text));
+    painter->drawText(option.rect, Qt::AlignCenter, index.data().toString());
+  }
+};
+
+QString number(const std::optional<double>& value, double factor, int digits, const char* unit) {
+  return value ? QString::number(factor * *value, 'f', digits) + unit : QString();
+}
+
+QString fromText(const std::string& text) {
+  return QString::fromStdString(text);
+}
+
+/// Greyed out with the reason as its tool tip, or free.
+void setRefusal(QPushButton* button, const Refusal& refusal) {
+  button->setEnabled(refusal.empty());
+  button->setToolTip(fromText(refusal));
+}
+
+}  // namespace
+
+OperatorPanel::OperatorPanel(QWidget* parent)
+    : rviz::Panel(parent),
+      link_(std::make_unique<OperatorLink>(ros::NodeHandle(sylph_ros::kSuiteNamespace))) {
+  auto* column = new QVBoxLayout(this);
+  column->setContentsMargins(6, 6, 6, 6);
+  column->setSpacing(4);
+  buildMission(column);
+  buildCommands(column);
+  buildTable(column);
+  auto* timer = new QTimer(this);
+  connect(timer, &QTimer::timeout, this, &OperatorPanel::refresh);
+  timer->start(kRefreshPeriodMs);
+  refresh();
+}
+
+OperatorPanel::~OperatorPanel() = default;
+
+void OperatorPanel::buildMission(QVBoxLayout* column) {
+  headline_ = new QLabel;
+  headline_->setObjectName("headline");
+  QFont font = headline_->font();
+  font.setBold(true);
+  font.setPointSizeF(1.15 * font.pointSizeF());
+  headline_->setFont(font);
+  progress_ = new QProgressBar;
+  progress_->setObjectName("progress");
+  times_ = new QLabel;
+  message_ = new QLabel;
+  message_->setObjectName("message");
+  message_->setWordWrap(true);
+  auto* row = new QHBoxLayout;
+  row->addWidget(progress_, 1);
+  row->addWidget(times_);
+  column->addWidget(headline_);
+  column->addLayout(row);
+  column->addWidget(message_);
+}
+
+QPushButton* OperatorPanel::makeButton(const char* name, const QString& text) {
+  auto* button = new QPushButton(text);
+  button->setObjectName(name);
+  return button;
+}
+
+void OperatorPanel::buildCommands(QVBoxLayout* column) {
+  experiment_ = new QComboBox;
+  experiment_->setObjectName("experiment");
+  planner_ = new QComboBox;
+  planner_->setObjectName("planner");
+  planner_->addItem("its own planner", "");
+  for (const std::string& name : sylph::plannerNames()) {
+    planner_->addItem(fromText(name), fromText(name));
+  }
+  seed_ = new QSpinBox;
+  seed_->setObjectName("seed");
+  seed_->setRange(-1, std::numeric_limits<int>::max());
+  seed_->setValue(-1);
+  seed_->setSpecialValueText("its own seed");
+  seed_->setPrefix("seed ");
+  seed_->setToolTip("redraws the goals of an experiment that calls them random");
+  auto* choices = new QHBoxLayout;
+  choices->addWidget(experiment_, 2);
+  choices->addWidget(planner_, 2);
+  choices->addWidget(seed_, 1);
+  column->addLayout(choices);
+
+  start_ = makeButton("start", "Start");
+  pause_ = makeButton("pause", "Pause");
+  resume_ = makeButton("resume", "Resume");
+  stop_ = makeButton("stop", "STOP");
+  cancel_ = makeButton("cancel", "Cancel mission");
+  auto* buttons = new QHBoxLayout;
+  for (QPushButton* button : {start_, pause_, resume_, stop_, cancel_}) {
+    buttons->addWidget(button);
+  }
+  column->addLayout(buttons);
+  connect(start_, &QPushButton::clicked, this, &OperatorPanel::start);
+  connect(pause_, &QPushButton::clicked, this, [this] { link_->pause(); });
+  connect(resume_, &QPushButton::clicked, this, [this] { link_->resume(); });
+  connect(stop_, &QPushButton::clicked, this, [this] { link_->stop(); });
+  connect(cancel_, &QPushButton::clicked, this, [this] { link_->cancel(); });
+  outcome_ = new QLabel;
+  outcome_->setObjectName("outcome");
+  outcome_->setWordWrap(true);
+  column->addWidget(outcome_);
+}
+
+void OperatorPanel::buildTable(QVBoxLayout* column) {
+  table_ = new QTableWidget(0, kColumns);
+  table_->setObjectName("robots");
+  table_->setHorizontalHeaderLabels(
+      {"Robot", "State", "Cell", "Partner", "SVO [deg]", "Pose age", "Off path", "Waits for"});
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(24);
+  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setItemDelegateForColumn(kSvo, new SvoDelegate(table_));
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  column->addWidget(table_, 1);
+  reasons_ = new QLabel;
+  reasons_->setObjectName("reasons");
+  reasons_->setWordWrap(true);
+  column->addWidget(reasons_);
+}
+
+void OperatorPanel::start() {
+  MissionChoice choice;
+  choice.experiment_path = experiment_->currentData().toString().toStdString();
+  choice.planner = planner_->currentData().toString().toStdString();
+  if (seed_->value() >= 0) {
+    choice.seed = static_cast<std::uint32_t>(seed_->value());
+  }
+  link_->start(choice);
+}
+
+void OperatorPanel::refresh() {
+  const OperatorView view = link_->view();
+  showExperiments();
+  showMission(view);
+  showCommands(view);
+  showRows(view);
+  showReasons(view);
+  if (const std::string outcome = link_->takeOutcome(); !outcome.empty()) {
+    outcome_->setText(fromText(outcome));
+  }
+}
+
+void OperatorPanel::showExperiments() {
+  std::vector<ExperimentChoice> choices = link_->experiments();
+  if (choices == experiments_) {
+    return;
+  }
+  experiments_ = std::move(choices);
+  experiment_->clear();
+  for (const ExperimentChoice& choice : experiments_) {
+    experiment_->addItem(fromText(choice.name), fromText(choice.path));
+    const int row = experiment_->count() - 1;
+    const std::string tip = choice.refusal.empty() ? choice.path : choice.refusal;
+    experiment_->setItemData(row, fromText(tip), Qt::ToolTipRole);
+    if (!choice.refusal.empty()) {
+      qobject_cast<QStandardItemModel*>(experiment_->model())->item(row)->setEnabled(false);
+    }
+  }
+}
+
+void OperatorPanel::showMission(const OperatorView& view) {
+  headline_->setText(fromText(view.headline));
+  progress_->setMaximum(std::max(1, view.tasks_total));
+  progress_->setValue(view.tasks_done);
+  progress_->setFormat(QString("%1 of %2 tasks").arg(view.tasks_done).arg(view.tasks_total));
+  QString times;
+  if (view.elapsed_s) {
+    times = fromText(durationText(*view.elapsed_s));
+  }
+  if (view.left_s) {
+    times += ", about " + fromText(durationText(std::round(*view.left_s))) + " left";
+  }
+  times_->setText(times);
+  message_->setText(fromText(view.message));
+  message_->setVisible(!view.message.empty());
+  message_->setStyleSheet(view.is_alarm ? "color: rgb(190, 60, 0); font-weight: bold" : "");
+}
+
+void OperatorPanel::showCommands(const OperatorView& view) {
+  Refusal start = view.start;
+  if (start.empty() && experiment_->currentIndex() < 0) {
+    start = "the lab's experiment is not known here";
+  }
+  setRefusal(start_, start);
+  setRefusal(pause_, view.pause);
+  setRefusal(resume_, view.resume);
+  setRefusal(stop_, view.stop);
+  setRefusal(cancel_, view.cancel);
+  stop_->setStyleSheet(
+      view.stop.empty() ? "background: rgb(213, 94, 0); color: white; font-weight: bold" : "");
+  if (!view.stop.empty() && view.stop == view.pause) {
+    outcome_->setText("commands are off: " + fromText(view.stop));
+  }
+}
+
+void OperatorPanel::showRows(const OperatorView& view) {
+  table_->setRowCount(static_cast<int>(view.rows.size()));
+  for (int i = 0; i < table_->rowCount(); ++i) {
+    for (int column = 0; column < kColumns; ++column) {
+      if (table_->item(i, column) == nullptr) {
+        table_->setItem(i, column, new QTableWidgetItem);
+      }
+    }
+    const RobotRow& row = view.rows[static_cast<std::size_t>(i)];
+    table_->item(i, kRobot)->setText(fromText(row.name));
+    table_->item(i, kState)->setText(fromText(row.state));
+    QPixmap square(10, 16);
+    square.fill(statusColor(row.status));
+    table_->item(i, kState)->setData(Qt::DecorationRole, square);
+    table_->item(i, kCell)->setText(fromText(row.cell));
+    table_->item(i, kPartner)->setText(fromText(row.partner));
+    table_->item(i, kSvo)->setText(number(row.svo_deg, 1.0, 0, ""));
+    table_->item(i, kSvo)->setData(Qt::UserRole, row.svo_deg ? QVariant(*row.svo_deg) : QVariant());
+    table_->item(i, kPoseAge)->setText(number(row.pose_age_s, 1.0, 2, " s"));
+    table_->item(i, kError)->setText(number(row.tracking_error_m, 1000.0, 0, " mm"));
+    table_->item(i, kWaits)->setText(fromText(row.waits));
+    table_->item(i, kWaits)->setToolTip(fromText(row.reason));
+  }
+}
+
+void OperatorPanel::showReasons(const OperatorView& view) {
+  constexpr int kLines = 8;
+  QStringList lines;
+  for (const RobotRow& row : view.rows) {
+    if (!row.reason.empty()) {
+      lines.append(fromText(row.name + " " + row.reason));
+    }
+  }
+  const auto more = lines.size() - kLines;
+  if (more > 0) {
+    lines = lines.mid(0, kLines);
+    lines.append(QString("and %1 more").arg(more));
+  }
+  reasons_->setText(lines.join("\n"));
+  reasons_->setVisible(!lines.isEmpty());
+}
+
+}  // namespace sylph_rviz
+
+PLUGINLIB_EXPORT_CLASS(sylph_rviz::OperatorPanel, rviz::Panel)

@@ -1,0 +1,149 @@
+#include "sylph_rviz/operator_panel.hpp"
+
+#include <actionlib/server/simple_action_server.h>
+#include <gtest/gtest.h>
+#include <ros/ros.h>
+#include <std_srvs/Trigger.h>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QTableWidget>
+#include <QThread>
+#include <atomic>
+#include <functional>
+#include <future>
+
+#include "sylph_ros/topics.hpp"
+#include "test_scene.hpp"
+
+namespace sylph_rviz {
+namespace {
+
+constexpr double kDeadlineS = 20.0;
+
+/// The panel, without RViz around it, and mocks of the nodes that it talks with.
+class OperatorPanelTest : public ::testing::Test {
+ protected:
+  using Server = actionlib::SimpleActionServer<sylph_msgs::ExecuteMissionAction>;
+
+  OperatorPanelTest()
+      : suite_("sylph"),
+        states_(suite_.advertise<sylph_msgs::AdgState>(sylph_ros::kAdgStateTopic, 1)),
+        state_(*twoRobots().state) {}
+
+  /// A central node whose pause service begins with what `on_pause` does.
+  void startCentral(const std::function<void()>& on_pause) {
+    pause_ = suite_.advertiseService<std_srvs::TriggerRequest, std_srvs::TriggerResponse>(
+        sylph_ros::kPauseService,
+        [on_pause](std_srvs::TriggerRequest&, std_srvs::TriggerResponse& response) {
+          on_pause();
+          response.success = 1;
+          return true;
+        });
+  }
+
+  /// Until then states are sent and the panel is served as RViz does it.
+  bool waitUntil(const std::function<bool()>& condition) {
+    const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(kDeadlineS);
+    while (!condition() && ros::SteadyTime::now() < deadline) {
+      states_.publish(state_);
+      QApplication::processEvents();
+      QThread::msleep(20);
+    }
+    return condition();
+  }
+
+  QPushButton& button(const char* name) { return *panel_.findChild<QPushButton*>(name); }
+  std::string label(const char* name) {
+    return panel_.findChild<QLabel*>(name)->text().toStdString();
+  }
+
+  ros::NodeHandle suite_;
+  ros::Publisher states_;
+  sylph_msgs::AdgState state_;
+  ros::ServiceServer pause_;
+  OperatorPanel panel_;
+};
+
+TEST_F(OperatorPanelTest, ShowsARowForEachRobot) {
+  auto& table = *panel_.findChild<QTableWidget*>("robots");
+  ASSERT_TRUE(waitUntil([&] { return table.rowCount() == 2; }));
+  EXPECT_EQ("robot_0", table.item(0, 0)->text().toStdString());
+  EXPECT_EQ("drives", table.item(0, 1)->text().toStdString());
+}
+
+TEST_F(OperatorPanelTest, AButtonCallsItsServiceAndTellsHowThatEnded) {
+  std::atomic<int> calls{0};
+  startCentral([&calls] { ++calls; });
+  ASSERT_TRUE(waitUntil([&] { return button("pause").isEnabled(); }));
+  button("pause").click();
+  ASSERT_TRUE(waitUntil([&] { return label("outcome") == "pause: done"; })) << label("outcome");
+  EXPECT_EQ(1, calls);
+}
+
+TEST_F(OperatorPanelTest, GoesOnWhileAServiceDoesNotAnswer) {
+  std::promise<void> end;
+  const std::shared_future<void> may_answer = end.get_future().share();
+  startCentral([may_answer] { may_answer.wait(); });
+  ASSERT_TRUE(waitUntil([&] { return button("pause").isEnabled(); }));
+  button("pause").click();
+  state_.phase = sylph_msgs::AdgState::FINISHED;
+  EXPECT_TRUE(waitUntil([&] { return label("headline") == "finished"; })) << label("headline");
+  EXPECT_TRUE(waitUntil([&] { return label("outcome") == "pause: no answer for 2 s"; }))
+      << label("outcome");
+  end.set_value();
+}
+
+TEST_F(OperatorPanelTest, TellsThatNobodyOffersAService) {
+  ASSERT_TRUE(waitUntil([&] { return button("stop").isEnabled(); }));
+  button("stop").click();
+  EXPECT_TRUE(waitUntil([&] { return label("outcome") == "stop: nobody offers /sylph/stop"; }))
+      << label("outcome");
+}
+
+TEST_F(OperatorPanelTest, StartsTheChosenExperimentWithTheChosenPlanner) {
+  state_.phase = sylph_msgs::AdgState::IDLE;
+  startCentral([] {});
+  Server server(suite_, sylph_ros::kExecuteMissionAction, false);
+  std::promise<sylph_msgs::ExecuteMissionGoal> goal;
+  server.registerGoalCallback([&] { goal.set_value(*server.acceptNewGoal()); });
+  server.start();
+  ASSERT_TRUE(waitUntil([&] { return button("start").isEnabled(); }))
+      << button("start").toolTip().toStdString();
+  panel_.findChild<QComboBox*>("planner")->setCurrentText("pibt");
+  button("start").click();
+  auto received = goal.get_future();
+  ASSERT_TRUE(waitUntil(
+      [&] { return received.wait_for(std::chrono::seconds(0)) == std::future_status::ready; }));
+  const sylph_msgs::ExecuteMissionGoal mission = received.get();
+  EXPECT_EQ("pibt", mission.planner);
+  EXPECT_FALSE(mission.robots.empty());
+  EXPECT_EQ(mission.robots.size(), mission.goals.size());
+  ASSERT_TRUE(server.isActive());
+  server.setSucceeded();
+}
+
+TEST_F(OperatorPanelTest, CommandsAreOffInAReplay) {
+  // A state of execution without a central node's services.
+  EXPECT_TRUE(waitUntil([&] {
+    return label("outcome") == "commands are off: a replay: no robot hears commands";
+  })) << label("outcome");
+  for (const char* name : {"start", "pause", "resume", "stop", "cancel"}) {
+    EXPECT_FALSE(button(name).isEnabled()) << name;
+  }
+}
+
+}  // namespace
+}  // namespace sylph_rviz
+
+int main(int argc, char** argv) {
+  testing::InitGoogleTest(&argc, argv);
+  ros::init(argc, argv, "operator_panel_test");
+  const ros::NodeHandle keeps_ros_alive;
+  const QApplication application(argc, argv);
+  ros::AsyncSpinner spinner(4);
+  spinner.start();
+  return RUN_ALL_TESTS();
+}
