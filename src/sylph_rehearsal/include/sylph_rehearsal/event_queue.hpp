@@ -10,6 +10,7 @@ namespace sylph_rehearsal {
 /// was added. So a run depends on nothing but what is put in.
 class EventQueue {
  public:
+  /// What happens.
   using Action = std::function<void()>;
 
   /// @param time_s  of the start
@@ -17,6 +18,7 @@ class EventQueue {
 
   /// @param time_s  when it happens; what is past already happens next
   void at(double time_s, Action action);
+  /// @param delay_s  from now until it happens
   void after(double delay_s, Action action) { at(now_s_ + delay_s, std::move(action)); }
 
   /// The time of the action that happens, or that happened last [s].

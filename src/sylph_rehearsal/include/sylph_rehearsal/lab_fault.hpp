@@ -31,7 +31,7 @@ enum class LabFaultKind {
 
 /// One thing that goes wrong. `at_s` counts from the start of the run [s].
 struct LabFault {
-  LabFaultKind kind = LabFaultKind::Simulated;
+  LabFaultKind kind = LabFaultKind::Simulated;  ///< decides which of the others count
   sylph_sim::Fault fault;  ///< robots (empty: all), begin, duration, value, whatever the kind
   LinkOptions link;        ///< of Network and PoseNetwork
 };

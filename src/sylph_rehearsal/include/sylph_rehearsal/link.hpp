@@ -27,6 +27,7 @@ class Link {
 
   /// Counts for messages sent from now on.
   void setOptions(const LinkOptions& options) { options_ = options; }
+  /// In force at present.
   const LinkOptions& options() const { return options_; }
 
  private:

@@ -43,6 +43,7 @@ enum class Ending {
   Violated,  ///< something happened that must never happen
 };
 
+/// In a word, for tables.
 std::string toString(Ending ending);
 
 /// Something that must never happen, by the truth.
@@ -60,8 +61,8 @@ struct WaitingTime {
 
 /// What became of a run.
 struct Rehearsal {
-  std::uint32_t seed = 0;  ///< gives the same run again
-  Ending ending = Ending::Stopped;
+  std::uint32_t seed = 0;              ///< gives the same run again
+  Ending ending = Ending::Stopped;     ///< the worst of what happened
   std::string cause;                   ///< why it did not finish
   std::vector<LabFault> faults;        ///< that went wrong
   sylph::RunResult result;             ///< as the central node sums it up

@@ -12,6 +12,7 @@ namespace sylph_rehearsal {
 struct SeedRange {
   std::uint32_t first = 0;  ///< included
   std::uint32_t last = 0;   ///< included
+  /// At least 1.
   std::size_t count() const { return std::size_t{last} - first + 1; }
 };
 

@@ -28,11 +28,13 @@ namespace sylph_ros {
 /// Everything happens in the thread that spins.
 class LockStep {
  public:
+  /// When in a tick the node acts, see LockStepDone.msg.
   enum class Stage : std::uint8_t {
     First = sylph_msgs::LockStepDone::FIRST,
     Second = sylph_msgs::LockStepDone::SECOND,
     StartOnly = sylph_msgs::LockStepDone::START_ONLY,
   };
+  /// What a timer does when it is due.
   using Callback = std::function<void()>;
 
   /// @param suite_nh  in the suite's namespace

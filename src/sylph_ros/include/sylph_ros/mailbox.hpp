@@ -24,6 +24,7 @@ class Mailbox {
   /// Messages of one topic. As long as somebody holds it, they are waited for.
   class Box {
    public:
+    /// Keeps a message that has come until it is due.
     void push(Delivery delivery) { waiting_.push_back(std::move(delivery)); }
 
    private:
@@ -33,6 +34,7 @@ class Mailbox {
     std::size_t left_ = 0;  ///< were there at the end of the last step
   };
 
+  /// A box for a topic's messages from now on.
   std::shared_ptr<Box> open(const std::string& topic);
 
   /// @param total  messages on the topic since its publisher began; less than before: it was

@@ -9,6 +9,7 @@
 
 namespace sylph_ros {
 
+/// Why a pose must not be used.
 enum class PoseFault {
   None,
   Old,         ///< it came longer ago than allowed
@@ -19,7 +20,7 @@ enum class PoseFault {
 
 /// A measured pose and whether it may be used.
 struct JudgedPose {
-  PoseFault fault = PoseFault::None;
+  PoseFault fault = PoseFault::None;  ///< the first one found
   std::string reason;  ///< what is wrong, to follow "the pose of robot_3 "; empty if nothing is
   sylph::Pose2d pose;  ///< in frame `map`; its numbers are NaN if there is a fault
 };

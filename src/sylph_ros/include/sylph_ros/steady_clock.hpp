@@ -23,6 +23,7 @@ class Publisher {
   Publisher(ros::Publisher publisher, std::shared_ptr<LockStep> lock_step)
       : publisher_(std::move(publisher)), lock_step_(std::move(lock_step)) {}
 
+  /// Sends a message, and counts it for those who have to wait for it.
   template <typename Message>
   void publish(const Message& message) const {
     if (lock_step_) {
@@ -30,6 +31,7 @@ class Publisher {
     }
     publisher_.publish(message);
   }
+  /// Its name, resolved.
   std::string getTopic() const { return publisher_.getTopic(); }
 
  private:
@@ -41,7 +43,9 @@ class Publisher {
 class Timer {
  public:
   Timer() = default;
+  /// Of wall time.
   explicit Timer(ros::SteadyTimer timer) : steady_(std::move(timer)) {}
+  /// Of the lab's time, as long as LockStep finds it alive.
   explicit Timer(std::shared_ptr<LockStep::Callback> timer) : lock_step_(std::move(timer)) {}
 
  private:
@@ -86,12 +90,15 @@ class SteadyClock {
   /// Calls it each `period_s` of this clock.
   Timer createTimer(const ros::NodeHandle& nh, double period_s, LockStep::Callback callback) const;
 
+  /// As ros::NodeHandle::advertise(), for messages that others act on.
   template <typename Message>
   Publisher advertise(ros::NodeHandle nh, const std::string& topic, std::uint32_t queue_size,
                       bool is_latched = false) const {
     return Publisher(nh.advertise<Message>(topic, queue_size, is_latched), lock_step_);
   }
 
+  /// As ros::NodeHandle::subscribe(); in lock step `queue_size` is not used, since nothing is
+  /// dropped.
   template <typename Message>
   ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic, std::uint32_t queue_size,
                             std::function<void(const Message&)> callback) const {

@@ -41,18 +41,28 @@ constexpr char kSeparationResetService[] = "separation_monitor/reset";
 constexpr char kInjectFaultService[] = "inject_fault";
 
 // Of the simulator and the nodes in lock step with it, see LockStepTick.msg.
+/// sylph_msgs/LockStepTick: nodes act whose messages are handled in the same tick, as the bridge.
 constexpr char kLockStepFirstTopic[] = "lock_step/first";
+/// sylph_msgs/LockStepTick: all other nodes act.
 constexpr char kLockStepSecondTopic[] = "lock_step/second";
+/// sylph_msgs/LockStepDone: a node has acted.
 constexpr char kLockStepDoneTopic[] = "lock_step/done";
 
 // Parameters of the suite's namespace, which the launch file sets once and every node reads there.
-constexpr char kExperimentParameter[] = "experiment";  // absolute path
-constexpr char kSeedParameter[] = "seed";              // -1: the experiment's
-constexpr char kPlannerParameter[] = "planner";        // empty: the experiment's
-constexpr char kWeightsParameter[] = "weights";        // absolute path, empty: the experiment's
-constexpr char kSpeedParameter[] = "speed";            // simulated seconds per second
-constexpr char kLockStepParameter[] = "lock_step";     // whether the simulator waits for the nodes
-constexpr char kRunFolderParameter[] = "run_folder";  // absolute path, the central node fills it in
+/// Absolute path of the experiment file.
+constexpr char kExperimentParameter[] = "experiment";
+/// Of what the experiment calls random; -1: the experiment's.
+constexpr char kSeedParameter[] = "seed";
+/// Name of the planner; empty: the experiment's.
+constexpr char kPlannerParameter[] = "planner";
+/// Absolute path of the policy's weights; empty: the experiment's.
+constexpr char kWeightsParameter[] = "weights";
+/// Simulated seconds per second; 0: as many as the machine can.
+constexpr char kSpeedParameter[] = "speed";
+/// Whether the simulator waits for the nodes.
+constexpr char kLockStepParameter[] = "lock_step";
+/// Absolute path of the run's folder; the central node fills it in where it is empty.
+constexpr char kRunFolderParameter[] = "run_folder";
 
 // In a robot's namespace.
 /// sylph_msgs/Task: from the central node to the robot.
@@ -65,7 +75,8 @@ constexpr char kPoseTopic[] = "pose";
 constexpr char kOdometryTopic[] = "odom";
 /// geometry_msgs/Twist in the robot's frame: to its base.
 constexpr char kCommandTopic[] = "cmd_vel";
-constexpr char kFootprintTopic[] = "footprint";  // latched PolygonStamped in the robot's frame
+/// geometry_msgs/PolygonStamped in the robot's frame, latched.
+constexpr char kFootprintTopic[] = "footprint";
 
 // In the fleet's namespace.
 /// nav_msgs/OccupancyGrid, latched, of the present mission.

@@ -25,7 +25,7 @@ namespace sylph_rviz {
 
 /// What an operator has chosen to run.
 struct MissionChoice {
-  std::string experiment_path;
+  std::string experiment_path;        ///< absolute
   std::string planner;                ///< empty: the experiment's
   std::optional<std::uint32_t> seed;  ///< of what the experiment calls random; nothing: its own
 };
@@ -51,8 +51,11 @@ class OperatorLink {
   void start(const MissionChoice& choice);
   /// Ends the mission: robots hold at their next cells.
   void cancel();
+  /// Robots finish the tasks that they have.
   void pause() { pause_.call(); }
+  /// Robots go on after a pause or stop.
   void resume() { resume_.call(); }
+  /// Robots ramp to zero at once.
   void stop() { stop_.call(); }
 
  private:

@@ -27,15 +27,15 @@ using Refusal = std::string;
 
 /// One robot as a line of the operator's table. What is not known is empty.
 struct RobotRow {
-  std::string name;
-  RobotStatus status = RobotStatus::Unknown;
-  std::string state;    ///< its status in a word
-  std::string cell;     ///< where it is, "(row,col)"
-  std::string waits;    ///< for whom and how long
-  std::string reason;   ///< why it does not go on, down to who holds everybody up
-  std::string partner;  ///< its name
-  std::optional<double> svo_deg;
-  std::optional<double> pose_age_s;        ///< since its last pose was measured
+  std::string name;                           ///< as in the experiment
+  RobotStatus status = RobotStatus::Unknown;  ///< decides the row's colour
+  std::string state;                          ///< its status in a word
+  std::string cell;                           ///< where it is, "(row,col)"
+  std::string waits;                          ///< for whom and how long
+  std::string reason;                ///< why it does not go on, down to who holds everybody up
+  std::string partner;               ///< its name
+  std::optional<double> svo_deg;     ///< 0: selfish, 45: prosocial
+  std::optional<double> pose_age_s;  ///< since its last pose was measured
   std::optional<double> tracking_error_m;  ///< from the way that it has to drive
 };
 
@@ -45,15 +45,15 @@ struct OperatorView {
   std::string message;    ///< how it ended, or why it does not go on; empty: nothing to say
   bool is_alarm = false;  ///< whether `message` asks for the operator
   int tasks_done = 0;     ///< of all robots
-  int tasks_total = 0;
-  std::optional<double> elapsed_s;
-  std::optional<double> left_s;  ///< at the pace so far; nothing before there is one
-  std::vector<RobotRow> rows;
-  Refusal start;
-  Refusal pause;
-  Refusal resume;
-  Refusal stop;
-  Refusal cancel;
+  int tasks_total = 0;    ///< of all robots, in the present plan
+  std::optional<double> elapsed_s;  ///< since the plan was begun
+  std::optional<double> left_s;     ///< at the pace so far; nothing before there is one
+  std::vector<RobotRow> rows;       ///< in the order of the plan's robots
+  Refusal start;                    ///< of a mission
+  Refusal pause;                    ///< of the lab
+  Refusal resume;                   ///< after a pause or stop
+  Refusal stop;                     ///< of the lab, at once
+  Refusal cancel;                   ///< of the mission
 };
 
 /// What is known of a run, from messages alone: no clock, no ROS. Times are told by the caller, in
@@ -69,11 +69,14 @@ class OperatorModel {
   void onPose(const std::string& robot, const sylph::Pose2d& pose, double stamp_s);
   /// Cells and their size; a map without cells changes nothing.
   void onMap(const nav_msgs::OccupancyGrid& map);
+  /// The planner says how far it is, at `steady_s` [s].
   void onFeedback(const sylph_msgs::ExecuteMissionFeedback& feedback, double steady_s);
+  /// A mission has ended.
   void onResult(const sylph_msgs::ExecuteMissionResult& result);
 
   /// Robots, their poses and what they do.
   const Scene& scene() const { return scene_; }
+  /// What there is to show at these times [s].
   OperatorView view(double ros_s, double steady_s) const;
 
  private:

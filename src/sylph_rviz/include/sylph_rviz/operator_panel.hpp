@@ -22,6 +22,7 @@ class OperatorPanel : public rviz::Panel {
   Q_OBJECT
 
  public:
+  /// @param parent  as Qt wants it; takes the panel over
   explicit OperatorPanel(QWidget* parent = nullptr);
   ~OperatorPanel() override;
 
