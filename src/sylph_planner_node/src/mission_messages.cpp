@@ -8,17 +8,17 @@ namespace {
 using sylph_msgs::ExecuteMissionResult;
 using sylph_ros::isSame;
 
-static_assert(isSame(MissionOutcome::Success, ExecuteMissionResult::SUCCESS) &&
-              isSame(MissionOutcome::BadRequest, ExecuteMissionResult::BAD_REQUEST) &&
-              isSame(MissionOutcome::NoPose, ExecuteMissionResult::NO_POSE) &&
-              isSame(MissionOutcome::NoPlan, ExecuteMissionResult::NO_PLAN) &&
-              isSame(MissionOutcome::PlanRefused, ExecuteMissionResult::PLAN_REFUSED) &&
-              isSame(MissionOutcome::Preempted, ExecuteMissionResult::PREEMPTED) &&
-              isSame(MissionOutcome::Incomplete, ExecuteMissionResult::INCOMPLETE));
+static_assert(isSame(sylph::MissionOutcome::Success, ExecuteMissionResult::SUCCESS) &&
+              isSame(sylph::MissionOutcome::BadRequest, ExecuteMissionResult::BAD_REQUEST) &&
+              isSame(sylph::MissionOutcome::NoPose, ExecuteMissionResult::NO_POSE) &&
+              isSame(sylph::MissionOutcome::NoPlan, ExecuteMissionResult::NO_PLAN) &&
+              isSame(sylph::MissionOutcome::PlanRefused, ExecuteMissionResult::PLAN_REFUSED) &&
+              isSame(sylph::MissionOutcome::Preempted, ExecuteMissionResult::PREEMPTED) &&
+              isSame(sylph::MissionOutcome::Incomplete, ExecuteMissionResult::INCOMPLETE));
 
 }  // namespace
 
-sylph_msgs::ExecuteMissionFeedback toMessage(const MissionProgress& progress) {
+sylph_msgs::ExecuteMissionFeedback toMessage(const sylph::MissionProgress& progress) {
   sylph_msgs::ExecuteMissionFeedback message;
   message.phase = progress.phase;
   message.tasks_done = progress.tasks_done;
@@ -28,7 +28,7 @@ sylph_msgs::ExecuteMissionFeedback toMessage(const MissionProgress& progress) {
   return message;
 }
 
-ExecuteMissionResult toMessage(const MissionResult& result) {
+ExecuteMissionResult toMessage(const sylph::MissionResult& result) {
   ExecuteMissionResult message;
   message.outcome = static_cast<std::uint8_t>(result.outcome);
   message.message = result.message;

@@ -15,7 +15,7 @@ namespace {
 using sylph_msgs::ExecuteMissionGoal;
 
 [[noreturn]] void refuse(const std::string& message) {
-  throw MissionFailure(MissionOutcome::BadRequest, message);
+  throw sylph::MissionFailure(sylph::MissionOutcome::BadRequest, message);
 }
 
 std::string sizeOf(const sylph::Grid& grid) {
@@ -61,7 +61,7 @@ void requireRobots(const ExecuteMissionGoal& goal, const sylph::Experiment& lab)
   }
 }
 
-void requireGoals(const Mission& mission) {
+void requireGoals(const sylph::Mission& mission) {
   std::map<sylph::Cell, std::string> owner;
   for (std::size_t i = 0; i < mission.robots.size(); ++i) {
     const sylph::Cell& goal = mission.goals[i];
@@ -79,7 +79,7 @@ void requireGoals(const Mission& mission) {
   }
 }
 
-void requirePlanner(const Mission& mission) {
+void requirePlanner(const sylph::Mission& mission) {
   const std::vector<std::string>& names = sylph::plannerNames();
   if (std::find(names.begin(), names.end(), mission.planner) == names.end()) {
     refuse("unknown planner '" + mission.planner + "': allowed are " + joinNames(names));
@@ -102,10 +102,10 @@ std::shared_ptr<const sylph::Policy> Weights::of(const std::string& planner) {
   return policy_;
 }
 
-Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab,
-                    Weights& weights) {
+sylph::Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab,
+                           Weights& weights) {
   requireRobots(goal, lab);
-  Mission mission;
+  sylph::Mission mission;
   mission.map_path = goal.map;
   mission.grid = readMap(goal, lab);
   mission.cell_size_m = goal.cell_size_m;

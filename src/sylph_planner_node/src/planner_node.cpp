@@ -17,8 +17,8 @@ namespace sylph_planner_node {
 namespace {
 
 /// Limits by the clock that the lifecycle is told; those of the wall pass faster there.
-MissionLimits limitsOf(const Options& options, double speed) {
-  MissionLimits limits = options.limits;
+sylph::MissionLimits limitsOf(const Options& options, double speed) {
+  sylph::MissionLimits limits = options.limits;
   limits.pose_wait_s *= speed;
   limits.central_wait_s *= speed;
   return limits;
@@ -64,14 +64,14 @@ void PlannerNode::onGoal() {
   const auto goal = server_.acceptNewGoal();
   try {
     lifecycle_.begin(readMission(*goal, lab_, weights_), clock_.now());
-    const Mission& mission = lifecycle_.mission();
+    const sylph::Mission& mission = lifecycle_.mission();
     map_ = toOccupancyGrid(mission.grid, mission.cell_size_m, mission.corner);
     publishMap();
     poses_.start(namesOf(lab_));
     if (server_.isPreemptRequested()) {
       onPreempt();
     }
-  } catch (const MissionFailure& failure) {
+  } catch (const sylph::MissionFailure& failure) {
     lifecycle_.fail(failure, clock_.now());
   }
   carryOutCommands();
@@ -106,7 +106,7 @@ void PlannerNode::tick() {
   }
   lifecycle_.tick(poses_.judged(options_.pose_timeout_s), now_s);
   carryOutCommands();
-  if (lifecycle_.stage() != MissionLifecycle::Stage::Starting) {
+  if (lifecycle_.stage() != sylph::MissionLifecycle::Stage::Starting) {
     poses_.stop();
   }
   publishFeedback();
@@ -120,7 +120,7 @@ void PlannerNode::publishMap() {
 
 void PlannerNode::publishFeedback() {
   const double now_s = clock_.now();
-  if (lifecycle_.stage() != MissionLifecycle::Stage::Idle &&
+  if (lifecycle_.stage() != sylph::MissionLifecycle::Stage::Idle &&
       now_s - feedback_sent_s_ >= options_.feedback_period_s) {
     feedback_sent_s_ = now_s;
     server_.publishFeedback(toMessage(lifecycle_.progress()));
@@ -131,13 +131,13 @@ void PlannerNode::carryOutCommands() {
   // A command that fails gives more of them.
   for (auto commands = lifecycle_.takeCommands(); !commands.empty();
        commands = lifecycle_.takeCommands()) {
-    for (const MissionCommand& command : commands) {
+    for (const sylph::MissionCommand& command : commands) {
       std::visit([this](const auto& kind) { carryOut(kind); }, command);
     }
   }
 }
 
-void PlannerNode::carryOut(const command::Plan& command) {
+void PlannerNode::carryOut(const sylph::mission_command::Plan& command) {
   planning_ = std::async(std::launch::async, command.make);
   if (const auto& lock_step = clock_.lockStep()) {
     // Otherwise the machine's mood would decide at which moment of the lab a plan is ready.
@@ -147,42 +147,42 @@ void PlannerNode::carryOut(const command::Plan& command) {
   }
 }
 
-void PlannerNode::carryOut(const command::Publish& command) {
+void PlannerNode::carryOut(const sylph::mission_command::Publish& command) {
   try {
     plan_ = sylph_ros::toMessage(command.plan);
-    carryOut(command::PublishAgain());
+    carryOut(sylph::mission_command::PublishAgain());
   } catch (const std::invalid_argument& error) {
     lifecycle_.fail(
-        {MissionOutcome::NoPlan, std::string("the plan cannot be sent: ") + error.what()},
+        {sylph::MissionOutcome::NoPlan, std::string("the plan cannot be sent: ") + error.what()},
         clock_.now());
   }
 }
 
-void PlannerNode::carryOut(const command::PublishAgain& /*command*/) {
+void PlannerNode::carryOut(const sylph::mission_command::PublishAgain& /*command*/) {
   plan_.header.stamp = clock_.stamp();
   joint_actions_publisher_.publish(plan_);
 }
 
-void PlannerNode::carryOut(const command::Withdraw& /*command*/) {
+void PlannerNode::carryOut(const sylph::mission_command::Withdraw& /*command*/) {
   plan_ = sylph_msgs::JointActions();
-  carryOut(command::PublishAgain());
+  carryOut(sylph::mission_command::PublishAgain());
 }
 
-void PlannerNode::carryOut(const command::Say& command) {
-  if (command.level == command::Say::Level::Info) {
+void PlannerNode::carryOut(const sylph::mission_command::Say& command) {
+  if (command.level == sylph::mission_command::Say::Level::Info) {
     ROS_INFO("%s", command.text.c_str());
-  } else if (command.level == command::Say::Level::Warning) {
+  } else if (command.level == sylph::mission_command::Say::Level::Warning) {
     ROS_WARN("%s", command.text.c_str());
   } else {
     ROS_ERROR("%s", command.text.c_str());
   }
 }
 
-void PlannerNode::carryOut(const command::End& command) {
+void PlannerNode::carryOut(const sylph::mission_command::End& command) {
   const sylph_msgs::ExecuteMissionResult result = toMessage(command.result);
-  if (command.result.outcome == MissionOutcome::Success) {
+  if (command.result.outcome == sylph::MissionOutcome::Success) {
     server_.setSucceeded(result, result.message);
-  } else if (command.result.outcome == MissionOutcome::Preempted) {
+  } else if (command.result.outcome == sylph::MissionOutcome::Preempted) {
     server_.setPreempted(result, result.message);
   } else {
     server_.setAborted(result, result.message);
@@ -194,7 +194,7 @@ void PlannerNode::report(diagnostic_updater::DiagnosticStatusWrapper& status) {
   if (!lifecycle_.hasHeardCentral()) {
     status.mergeSummary(diagnostic_msgs::DiagnosticStatus::WARN, "central node not heard of yet");
   }
-  const MissionResult& totals = lifecycle_.totals();
+  const sylph::MissionResult& totals = lifecycle_.totals();
   status.add("last mission", lifecycle_.lastOutcome());
   status.add("plan_id", lifecycle_.planId());
   status.add("replans", totals.replans);

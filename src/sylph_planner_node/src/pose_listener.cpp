@@ -21,8 +21,8 @@ void PoseListener::stop() {
   subscribers_.clear();
 }
 
-RobotPoses PoseListener::judged(double timeout_s) const {
-  RobotPoses poses;
+sylph::RobotPoses PoseListener::judged(double timeout_s) const {
+  sylph::RobotPoses poses;
   for (const auto& [robot, measured] : poses_) {
     const sylph_ros::JudgedPose judged =
         sylph_ros::judgePose(measured.pose, clock_.now() - measured.received_s, timeout_s);

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "small_lab.hpp"
+#include "mission/small_lab.hpp"
 #include "sylph_ros/missions.hpp"
 
 namespace sylph_planner_node {
@@ -18,38 +18,38 @@ namespace {
 using sylph_msgs::ExecuteMissionGoal;
 using sylph_ros::toGoal;
 
-Mission read(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
+sylph::Mission read(const ExecuteMissionGoal& goal, const sylph::Experiment& lab) {
   Weights weights(lab.planning.weights_path);
   return readMission(goal, lab, weights);
 }
 
 TEST(ReadMissionTest, TakesWhatTheRequestNamesAndTheLabsDefaults) {
-  ExecuteMissionGoal goal = toGoal(smallLab());
+  ExecuteMissionGoal goal = toGoal(sylph::smallLab());
   goal.planner = "";
   goal.time_limit_s = 0.0;
   goal.seed = 7;
-  const Mission mission = read(goal, smallLab());
+  const sylph::Mission mission = read(goal, sylph::smallLab());
   EXPECT_EQ((std::vector<std::string>{"robot_0", "robot_1", "robot_2"}), mission.robots);
   EXPECT_EQ((sylph::Configuration{{0, 4}, {2, 0}, {0, 0}}), mission.goals);
   EXPECT_EQ("lacam", mission.planner);
   EXPECT_DOUBLE_EQ(0.2, mission.time_limit_s);
   EXPECT_EQ(7U, mission.seed);
-  EXPECT_EQ(smallLab().grid, mission.grid);
+  EXPECT_EQ(sylph::smallLab().grid, mission.grid);
 }
 
 TEST(ReadMissionTest, NamesTheWeightFileThatItCannotRead) {
-  ExecuteMissionGoal goal = toGoal(smallLab());
+  ExecuteMissionGoal goal = toGoal(sylph::smallLab());
   goal.planner = "sylph";
-  sylph::Experiment lab = smallLab();
+  sylph::Experiment lab = sylph::smallLab();
   lab.planning.weights_path = "/nowhere.safetensors";
-  const std::string failure = failureOf([&] { read(goal, lab); });
+  const std::string failure = sylph::failureOf([&] { read(goal, lab); });
   EXPECT_EQ(0U, failure.find("1: /nowhere.safetensors: ")) << failure;
 }
 
 TEST(WeightsTest, AreReadOnceForAllPlannersThatNeedThem) {
   const std::string path = testing::TempDir() + "sylph_weights_test.safetensors";
   std::filesystem::copy_file(
-      std::string(SYLPH_TEST_DATA) + "/../../../../weights/sylph.safetensors", path,
+      std::string(SYLPH_TEST_DATA) + "/../../../../../weights/sylph.safetensors", path,
       std::filesystem::copy_options::overwrite_existing);
   Weights weights(path);
   EXPECT_FALSE(weights.of("lacam"));
@@ -61,10 +61,10 @@ TEST(WeightsTest, AreReadOnceForAllPlannersThatNeedThem) {
 }
 
 TEST(ReadMissionTest, TakesSomeOfTheRobots) {
-  ExecuteMissionGoal goal = toGoal(smallLab());
+  ExecuteMissionGoal goal = toGoal(sylph::smallLab());
   goal.robots = {"robot_2"};
   goal.goals.resize(1);
-  const Mission mission = read(goal, smallLab());
+  const sylph::Mission mission = read(goal, sylph::smallLab());
   EXPECT_EQ(0U, mission.indexOf("robot_2"));
   EXPECT_EQ(1U, mission.indexOf("robot_0"));
 }
@@ -78,9 +78,9 @@ struct BadRequest {
 class BadRequestTest : public testing::TestWithParam<BadRequest> {};
 
 TEST_P(BadRequestTest, IsRefusedWithOneClearLine) {
-  ExecuteMissionGoal goal = toGoal(smallLab());
+  ExecuteMissionGoal goal = toGoal(sylph::smallLab());
   GetParam().spoil(goal);
-  const std::string failure = failureOf([&] { read(goal, smallLab()); });
+  const std::string failure = sylph::failureOf([&] { read(goal, sylph::smallLab()); });
   EXPECT_EQ("1: ", failure.substr(0, 3)) << failure;
   EXPECT_NE(std::string::npos, failure.find(GetParam().message)) << failure;
   EXPECT_EQ(std::string::npos, failure.find('\n')) << failure;

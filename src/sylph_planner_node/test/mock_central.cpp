@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-#include "small_lab.hpp"
+#include "mission/small_lab.hpp"
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
@@ -16,7 +16,21 @@ namespace sylph_planner_node {
 using sylph_msgs::AdgState;
 using sylph_msgs::RobotExecution;
 
-MockCentral::MockCentral(const Mission& mission, const sylph::Configuration& starts)
+namespace {
+
+geometry_msgs::PoseStamped poseIn(const sylph::Mission& mission, const sylph::Cell& cell) {
+  const sylph::Pose2d point = sylph::pose2dIn(mission, cell);
+  geometry_msgs::PoseStamped pose;
+  pose.header.frame_id = "map";
+  pose.pose.position.x = point.x_m;
+  pose.pose.position.y = point.y_m;
+  pose.pose.orientation.w = 1.0;
+  return pose;
+}
+
+}  // namespace
+
+MockCentral::MockCentral(const sylph::Mission& mission, const sylph::Configuration& starts)
     : mission_(mission) {
   for (std::size_t i = 0; i < mission.robots.size(); ++i) {
     RobotExecution robot;

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "sylph_core/execution/mission_plan.hpp"
-#include "sylph_planner_node/mission.hpp"
+#include "sylph_core/mission/mission.hpp"
 
 namespace sylph_planner_node {
 
@@ -22,7 +22,7 @@ namespace sylph_planner_node {
 class MockCentral {
  public:
   /// The robots of a mission in their cells, no plan known.
-  MockCentral(const Mission& mission, const sylph::Configuration& starts);
+  MockCentral(const sylph::Mission& mission, const sylph::Configuration& starts);
 
   // How it behaves from now on.
   void dropOnePlan();
@@ -58,7 +58,7 @@ class MockCentral {
 
   mutable std::mutex mutex_;
   ros::NodeHandle nh_{"/sylph"};
-  Mission mission_;
+  sylph::Mission mission_;
   sylph_msgs::AdgState state_;
   sylph::MissionPlan plan_;                         ///< state_.plan_id
   std::vector<sylph_msgs::JointActions> received_;  ///< plans, not their withdrawals

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 #include <sylph_msgs/ExecuteMissionAction.h>
 
+#include "mission/small_lab.hpp"
 #include "mock_central.hpp"
-#include "small_lab.hpp"
 #include "wait_until.hpp"
 
 namespace sylph_planner_node {
@@ -34,7 +34,7 @@ class PlannerFixture : public testing::Test {
     return waitUntil([&] { return central_.state().phase == phase; });
   }
 
-  MockCentral central_{smallMission(), smallStarts()};
+  MockCentral central_{sylph::smallMission(), sylph::smallStarts()};
   Client client_{"/sylph/execute_mission", true};
 };
 

@@ -34,7 +34,7 @@ TEST_F(PlannerNodeTest, PublishesTheMapForThoseWhoComeLate) {
 }
 
 TEST_F(PlannerNodeTest, CarriesAMissionOut) {
-  const ExecuteMissionResult result = run(toGoal(smallLab()));
+  const ExecuteMissionResult result = run(toGoal(sylph::smallLab()));
   EXPECT_EQ(ExecuteMissionResult::SUCCESS, result.outcome) << result.message;
   EXPECT_EQ(actionlib::SimpleClientGoalState::SUCCEEDED, client_.getState().state_);
   EXPECT_EQ(3U, result.robots);
@@ -42,27 +42,28 @@ TEST_F(PlannerNodeTest, CarriesAMissionOut) {
   EXPECT_GT(result.planning_s, 0.0);
   const sylph::Plan plan = central_.plan();
   EXPECT_EQ(result.plan_steps, plan.size() - 1);
-  const sylph::Instance instance = {smallMission().grid, smallStarts(), smallMission().goals, {}};
+  const sylph::Instance instance = {
+      sylph::smallMission().grid, sylph::smallStarts(), sylph::smallMission().goals, {}};
   EXPECT_FALSE(sylph::checkPlan(instance, plan));
   EXPECT_EQ(0U, central_.received().front().replaces_plan_id);
 }
 
 TEST_F(PlannerNodeTest, StartsWhereTheRobotsAreNotWhereTheFileSays) {
   MockCentral& central = central_;
-  run(toGoal(smallLab()));
-  ExecuteMissionGoal back = toGoal(smallLab());
+  run(toGoal(sylph::smallLab()));
+  ExecuteMissionGoal back = toGoal(sylph::smallLab());
   for (std::size_t i = 0; i < back.goals.size(); ++i) {
-    back.goals[i] = sylph_ros::toMessage(smallStarts()[i]);
+    back.goals[i] = sylph_ros::toMessage(sylph::smallStarts()[i]);
   }
   const ExecuteMissionResult result = run(back);
   EXPECT_EQ(ExecuteMissionResult::SUCCESS, result.outcome) << result.message;
-  EXPECT_EQ(smallMission().goals, central.plan().front());
-  EXPECT_EQ(smallStarts(), central.plan().back());
+  EXPECT_EQ(sylph::smallMission().goals, central.plan().front());
+  EXPECT_EQ(sylph::smallStarts(), central.plan().back());
 }
 
 TEST_F(PlannerNodeTest, SendsAgainWhatDidNotArrive) {
   central_.dropOnePlan();
-  const ExecuteMissionResult result = run(toGoal(smallLab()));
+  const ExecuteMissionResult result = run(toGoal(sylph::smallLab()));
   EXPECT_EQ(ExecuteMissionResult::SUCCESS, result.outcome) << result.message;
   const auto received = central_.received();
   ASSERT_EQ(2U, received.size());
@@ -70,7 +71,7 @@ TEST_F(PlannerNodeTest, SendsAgainWhatDidNotArrive) {
 }
 
 TEST_F(PlannerNodeTest, TakesThePlanBackWhenTheMissionIsOver) {
-  run(toGoal(smallLab()));
+  run(toGoal(sylph::smallLab()));
   ASSERT_TRUE(waitUntil([] {
     const auto late = ros::topic::waitForMessage<sylph_msgs::JointActions>(
         "/sylph/" + std::string(sylph_ros::kJointActionsTopic), ros::Duration(5.0));
@@ -81,13 +82,13 @@ TEST_F(PlannerNodeTest, TakesThePlanBackWhenTheMissionIsOver) {
 TEST_F(PlannerNodeTest, NumbersPlansAfterThoseTheCentralNodeKnows) {
   central_.setPlanId(4100);
   ASSERT_TRUE(waitUntil([&] {
-    run(toGoal(smallLab()));
+    run(toGoal(sylph::smallLab()));
     return central_.state().plan_id > 4100;
   }));
 }
 
 TEST_F(PlannerNodeTest, RefusesABadRequestBeforeAnythingIsSent) {
-  ExecuteMissionGoal goal = toGoal(smallLab());
+  ExecuteMissionGoal goal = toGoal(sylph::smallLab());
   goal.robots[2] = "robot_9";
   const ExecuteMissionResult result = run(goal);
   EXPECT_EQ(ExecuteMissionResult::BAD_REQUEST, result.outcome);
@@ -98,7 +99,7 @@ TEST_F(PlannerNodeTest, RefusesABadRequestBeforeAnythingIsSent) {
 
 TEST_F(PlannerNodeTest, NamesTheRobotWhosePoseIsMissing) {
   central_.silencePoseOf("robot_1");
-  const ExecuteMissionResult result = run(toGoal(smallLab()));
+  const ExecuteMissionResult result = run(toGoal(sylph::smallLab()));
   EXPECT_EQ(ExecuteMissionResult::NO_POSE, result.outcome);
   EXPECT_NE(std::string::npos, result.message.find("robot_1")) << result.message;
   EXPECT_TRUE(central_.received().empty());
@@ -106,21 +107,21 @@ TEST_F(PlannerNodeTest, NamesTheRobotWhosePoseIsMissing) {
 
 TEST_F(PlannerNodeTest, PassesOnWhyThePlanWasRefused) {
   central_.refusePlans("no safety margin");
-  const ExecuteMissionResult result = run(toGoal(smallLab()));
+  const ExecuteMissionResult result = run(toGoal(sylph::smallLab()));
   EXPECT_EQ(ExecuteMissionResult::PLAN_REFUSED, result.outcome);
   EXPECT_NE(std::string::npos, result.message.find("no safety margin")) << result.message;
 }
 
 TEST_F(PlannerNodeTest, GivesUpWithoutCentralNode) {
   central_.beSilent();
-  const ExecuteMissionResult result = run(toGoal(smallLab()));
+  const ExecuteMissionResult result = run(toGoal(sylph::smallLab()));
   EXPECT_EQ(ExecuteMissionResult::PLAN_REFUSED, result.outcome);
   EXPECT_NE(std::string::npos, result.message.find("silent")) << result.message;
 }
 
 TEST_F(PlannerNodeTest, PausesWhenCancelledAndResumesWithTheNextMission) {
   central_.haltAfter(1);
-  client_.sendGoal(toGoal(smallLab()));
+  client_.sendGoal(toGoal(sylph::smallLab()));
   ASSERT_TRUE(waitForPhase(AdgState::EXECUTING));
   client_.cancelGoal();
   const ExecuteMissionResult cancelled = waitForResult();
@@ -129,7 +130,7 @@ TEST_F(PlannerNodeTest, PausesWhenCancelledAndResumesWithTheNextMission) {
   EXPECT_EQ(AdgState::PAUSE, central_.state().mode);
 
   central_.haltAfter(1000);
-  ExecuteMissionGoal other = toGoal(smallLab());
+  ExecuteMissionGoal other = toGoal(sylph::smallLab());
   other.goals[1].row = 1;
   const ExecuteMissionResult result = run(other);
   EXPECT_EQ(ExecuteMissionResult::SUCCESS, result.outcome) << result.message;
@@ -140,9 +141,9 @@ TEST_F(PlannerNodeTest, ANewMissionTakesThePlaceOfTheOldOne) {
   central_.haltAfter(1);
   Client first("/sylph/execute_mission", true);
   ASSERT_TRUE(waitUntil([&] { return first.isServerConnected(); }));
-  first.sendGoal(toGoal(smallLab()));
+  first.sendGoal(toGoal(sylph::smallLab()));
   ASSERT_TRUE(waitForPhase(AdgState::EXECUTING));
-  ExecuteMissionGoal other = toGoal(smallLab());
+  ExecuteMissionGoal other = toGoal(sylph::smallLab());
   other.goals[1].row = 1;
   client_.sendGoal(other);
   ASSERT_TRUE(waitUntil([this] { return central_.state().mode == AdgState::PAUSE; }));
@@ -155,7 +156,7 @@ TEST_F(PlannerNodeTest, ANewMissionTakesThePlaceOfTheOldOne) {
 
 TEST_F(PlannerNodeTest, PlansTheRestAroundALostRobot) {
   central_.haltAfter(1);
-  client_.sendGoal(toGoal(smallLab()));
+  client_.sendGoal(toGoal(sylph::smallLab()));
   ASSERT_TRUE(waitUntil([this] {
     return central_.state().phase == AdgState::EXECUTING &&
            central_.state().robots[0].tasks_done == 1;
@@ -179,10 +180,11 @@ TEST_F(PlannerNodeTest, PlansTheRestAroundALostRobot) {
 }
 
 TEST_F(PlannerNodeTest, GoesOnWithItsMissionAfterARestart) {
-  central_.pretendToExecute(9000, smallMission().goals);
+  central_.pretendToExecute(9000, sylph::smallMission().goals);
   ASSERT_TRUE(central_.waitForStatesOnTheirWay());
   std::atomic<bool> follows{false};
-  client_.sendGoal(toGoal(smallLab()), Client::SimpleDoneCallback(), Client::SimpleActiveCallback(),
+  client_.sendGoal(toGoal(sylph::smallLab()), Client::SimpleDoneCallback(),
+                   Client::SimpleActiveCallback(),
                    [&follows](const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) {
                      follows = feedback->phase == "executing";
                    });
@@ -194,9 +196,9 @@ TEST_F(PlannerNodeTest, GoesOnWithItsMissionAfterARestart) {
 }
 
 TEST_F(PlannerNodeTest, RefusesAMissionWhileAnotherPlanIsCarriedOut) {
-  central_.pretendToExecute(9500, smallStarts());
+  central_.pretendToExecute(9500, sylph::smallStarts());
   ASSERT_TRUE(central_.waitForStatesOnTheirWay());
-  const ExecuteMissionResult result = run(toGoal(smallLab()));
+  const ExecuteMissionResult result = run(toGoal(sylph::smallLab()));
   EXPECT_EQ(ExecuteMissionResult::BAD_REQUEST, result.outcome);
   EXPECT_NE(std::string::npos, result.message.find("plan 9500")) << result.message;
 }

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/mission/mission.hpp"
 #include "sylph_core/policy/policy.hpp"
-#include "sylph_planner_node/mission.hpp"
 
 namespace sylph_planner_node {
 
@@ -32,8 +32,8 @@ class Weights {
 /// Robots must be robots of the lab. The map must have the size of the lab's map and its cells,
 /// because the other nodes turn cells into metres by the lab's; its obstacles may differ.
 /// @param weights  of the planner, if it needs some
-/// @throws MissionFailure (BadRequest)
-Mission readMission(const sylph_msgs::ExecuteMissionGoal& goal, const sylph::Experiment& lab,
-                    Weights& weights);
+/// @throws sylph::MissionFailure (BadRequest)
+sylph::Mission readMission(const sylph_msgs::ExecuteMissionGoal& goal, const sylph::Experiment& lab,
+                           Weights& weights);
 
 }  // namespace sylph_planner_node

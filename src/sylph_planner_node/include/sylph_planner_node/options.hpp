@@ -1,6 +1,6 @@
 #pragma once
 
-#include "sylph_planner_node/mission_lifecycle.hpp"
+#include "sylph_core/mission/mission_lifecycle.hpp"
 #include "sylph_ros/parameter_reader.hpp"
 
 namespace sylph_planner_node {
@@ -12,7 +12,7 @@ struct Options {
   double feedback_period_s = 0.5;  ///< of the action's feedback
   double map_period_s = 2.0;       ///< between two repetitions of /map
   double pose_timeout_s = 0.5;     ///< a pose that came earlier is stale
-  MissionLimits limits;            ///< waits for poses and the central node in wall time
+  sylph::MissionLimits limits;     ///< waits for poses and the central node in wall time
 };
 
 /// @throws std::runtime_error on a mistyped or forbidden value

@@ -12,7 +12,7 @@
 #include <future>
 
 #include "sylph_core/experiment/experiment.hpp"
-#include "sylph_planner_node/mission_lifecycle.hpp"
+#include "sylph_core/mission/mission_lifecycle.hpp"
 #include "sylph_planner_node/mission_request.hpp"
 #include "sylph_planner_node/mode_caller.hpp"
 #include "sylph_planner_node/options.hpp"
@@ -21,8 +21,8 @@
 
 namespace sylph_planner_node {
 
-/// Takes missions as an action server and tells a MissionLifecycle what happens; does what that
-/// one wants to be done. Plans are made in a thread of their own.
+/// Takes missions as an action server and tells a sylph::MissionLifecycle what happens; does what
+/// that one wants to be done. Plans are made in a thread of their own.
 ///
 /// All callbacks run in one thread.
 class PlannerNode {
@@ -42,14 +42,14 @@ class PlannerNode {
   void report(diagnostic_updater::DiagnosticStatusWrapper& status);
 
   void carryOutCommands();
-  void carryOut(const command::Plan& command);
-  void carryOut(const command::Publish& command);
-  void carryOut(const command::PublishAgain& command);
-  void carryOut(const command::Withdraw& command);
-  void carryOut(const command::Pause& /*command*/) { mode_.pause(); }
-  void carryOut(const command::Resume& /*command*/) { mode_.resume(); }
-  void carryOut(const command::Say& command);
-  void carryOut(const command::End& command);
+  void carryOut(const sylph::mission_command::Plan& command);
+  void carryOut(const sylph::mission_command::Publish& command);
+  void carryOut(const sylph::mission_command::PublishAgain& command);
+  void carryOut(const sylph::mission_command::Withdraw& command);
+  void carryOut(const sylph::mission_command::Pause& /*command*/) { mode_.pause(); }
+  void carryOut(const sylph::mission_command::Resume& /*command*/) { mode_.resume(); }
+  void carryOut(const sylph::mission_command::Say& command);
+  void carryOut(const sylph::mission_command::End& command);
 
   ros::NodeHandle nh_;
   Options options_;
@@ -58,9 +58,9 @@ class PlannerNode {
   sylph_ros::SteadyClock clock_;
   PoseListener poses_;
   ModeCaller mode_;
-  MissionLifecycle lifecycle_;
+  sylph::MissionLifecycle lifecycle_;
 
-  std::future<PlanningOutcome> planning_;
+  std::future<sylph::PlanningOutcome> planning_;
   sylph_msgs::JointActions plan_;  ///< that stands on the topic
   nav_msgs::OccupancyGrid map_;
   double feedback_sent_s_ = 0.0;  ///< steady time [s]

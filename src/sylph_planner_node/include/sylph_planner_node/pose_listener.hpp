@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "sylph_planner_node/start_cells.hpp"
+#include "sylph_core/mission/start_cells.hpp"
 #include "sylph_ros/steady_clock.hpp"
 
 namespace sylph_planner_node {
@@ -26,7 +26,7 @@ class PoseListener {
 
   /// The last pose of each robot that has been heard.
   /// @param timeout_s  a pose that came earlier is faulty [s]
-  RobotPoses judged(double timeout_s) const;
+  sylph::RobotPoses judged(double timeout_s) const;
 
  private:
   struct MeasuredPose {

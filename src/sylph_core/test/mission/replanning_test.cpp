@@ -1,17 +1,13 @@
-#include "sylph_planner_node/replanning.hpp"
+#include "sylph_core/mission/replanning.hpp"
 
 #include <gtest/gtest.h>
 
 #include "small_lab.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
 
-using sylph::AdgState;
-using sylph::RobotCondition;
-using sylph::RobotExecution;
-
-RobotExecution robotIn(const std::string& name, const sylph::Cell& cell) {
+RobotExecution robotIn(const std::string& name, const Cell& cell) {
   RobotExecution robot;
   robot.robot = name;
   robot.cell = cell;
@@ -20,7 +16,7 @@ RobotExecution robotIn(const std::string& name, const sylph::Cell& cell) {
 }
 
 /// Robot 1 is lost between two cells.
-AdgState cutWithRobot1Lost(const std::vector<sylph::Cell>& held_cells) {
+AdgState cutWithRobot1Lost(const std::vector<Cell>& held_cells) {
   AdgState cut;
   cut.robots = {robotIn("robot_0", {0, 1}), robotIn("robot_1", held_cells.front()),
                 robotIn("robot_2", {0, 3})};
@@ -32,8 +28,8 @@ AdgState cutWithRobot1Lost(const std::vector<sylph::Cell>& held_cells) {
 TEST(RestOfMissionTest, LeavesTheLostRobotOutAndItsCellsBlocked) {
   const RestOfMission rest = restOfMission(smallMission(), cutWithRobot1Lost({{2, 3}, {2, 2}}));
   EXPECT_EQ((std::vector<std::string>{"robot_0", "robot_2"}), rest.robots);
-  EXPECT_EQ((sylph::Configuration{{0, 1}, {0, 3}}), rest.instance.starts);
-  EXPECT_EQ((sylph::Configuration{{0, 4}, {0, 0}}), rest.instance.goals);
+  EXPECT_EQ((Configuration{{0, 1}, {0, 3}}), rest.instance.starts);
+  EXPECT_EQ((Configuration{{0, 4}, {0, 0}}), rest.instance.goals);
   EXPECT_FALSE(rest.instance.grid.isFree({2, 3}));
   EXPECT_FALSE(rest.instance.grid.isFree({2, 2}));
   EXPECT_TRUE(rest.instance.grid.isFree({2, 1}));
@@ -43,8 +39,8 @@ TEST(RestOfMissionTest, LeavesTheLostRobotOutAndItsCellsBlocked) {
 
 TEST(RestOfMissionTest, SendsARobotNextToAGoalThatIsTaken) {
   const RestOfMission rest = restOfMission(smallMission(), cutWithRobot1Lost({{0, 4}}));
-  EXPECT_EQ((sylph::Cell{0, 3}), rest.instance.goals[0]);
-  EXPECT_EQ((sylph::Cell{0, 0}), rest.instance.goals[1]);
+  EXPECT_EQ((Cell{0, 3}), rest.instance.goals[0]);
+  EXPECT_EQ((Cell{0, 0}), rest.instance.goals[1]);
   ASSERT_EQ(1U, rest.given_up.size());
   EXPECT_EQ("robot_0 cannot reach (0,4) any more and goes to (0,3)", rest.given_up.front());
 }
@@ -52,7 +48,7 @@ TEST(RestOfMissionTest, SendsARobotNextToAGoalThatIsTaken) {
 TEST(RestOfMissionTest, KeepsRobotsOnTheirSideOfABlockedWay) {
   // Columns 0 ... 2 and 3 ... 4 of the small map hang together by (0,2) and (2,2) alone.
   const RestOfMission rest = restOfMission(smallMission(), cutWithRobot1Lost({{0, 2}, {2, 2}}));
-  EXPECT_EQ((sylph::Configuration{{0, 1}, {0, 3}}), rest.instance.goals);
+  EXPECT_EQ((Configuration{{0, 1}, {0, 3}}), rest.instance.goals);
   EXPECT_EQ(2U, rest.given_up.size());
 }
 
@@ -72,4 +68,4 @@ TEST(RestOfMissionTest, RefusesACutThatDoesNotFit) {
 }
 
 }  // namespace
-}  // namespace sylph_planner_node
+}  // namespace sylph

@@ -1,22 +1,22 @@
-#include "sylph_planner_node/checked_plan.hpp"
+#include "sylph_core/mission/checked_plan.hpp"
 
 #include <gtest/gtest.h>
 
 #include "small_lab.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
 
 TEST(ToInstanceTest, RulesOutRotations) {
-  const sylph::Instance instance = toInstance(smallMission(), smallStarts(), {});
+  const Instance instance = toInstance(smallMission(), smallStarts(), {});
   EXPECT_FALSE(instance.motion.rotations);
   EXPECT_EQ(smallStarts(), instance.starts);
   EXPECT_EQ(smallMission().goals, instance.goals);
 }
 
 TEST(ToInstanceTest, NamesTheRobotThatIsCutOff) {
-  const std::vector<sylph::Cell> wall = {{0, 2}, {2, 2}};
+  const std::vector<Cell> wall = {{0, 2}, {2, 2}};
   EXPECT_EQ("1: goal (0,4) of robot_0 cannot be reached from its cell (0,0)",
             failureOf([&] { toInstance(smallMission(), smallStarts(), wall); }));
 }
@@ -29,12 +29,12 @@ TEST(ToInstanceTest, NamesTheRobotThatTouchesABystander) {
 }
 
 TEST(PlanMissionTest, ReachesAllGoalsAndKnowsTheSocialStateOfEachStep) {
-  const sylph::Instance instance = toInstance(smallMission(), smallStarts(), {});
+  const Instance instance = toInstance(smallMission(), smallStarts(), {});
   const CheckedPlan plan = planMission(smallMission(), instance);
-  EXPECT_FALSE(sylph::checkPlan(instance, plan.plan));
+  EXPECT_FALSE(checkPlan(instance, plan.plan));
   EXPECT_EQ(3, plan.metrics.arrived);
   EXPECT_EQ(plan.plan.size() - 1, plan.social.size());
-  for (const sylph::SocialState& state : plan.social) {
+  for (const SocialState& state : plan.social) {
     EXPECT_EQ(3U, state.partners.size());
     EXPECT_EQ(3U, state.svo_deg.size());
   }
@@ -42,24 +42,24 @@ TEST(PlanMissionTest, ReachesAllGoalsAndKnowsTheSocialStateOfEachStep) {
 
 TEST(PlanMissionTest, TellsWhenThereIsNoPlan) {
   Mission mission = smallMission();
-  mission.grid = sylph::Grid::fromText("...\n");
+  mission.grid = Grid::fromText("...\n");
   mission.robots = {"robot_0", "robot_1"};
   mission.goals = {{0, 2}, {0, 0}};
-  const sylph::Instance instance = toInstance(mission, {{0, 0}, {0, 2}}, {});
+  const Instance instance = toInstance(mission, {{0, 0}, {0, 2}}, {});
   const std::string failure = failureOf([&] { planMission(mission, instance); });
   EXPECT_EQ("3: planner lacam found no plan", failure.substr(0, 30)) << failure;
 }
 
 TEST(PlanAsFarAsPossibleTest, EndsWhereThePlannerCame) {
   Mission mission = smallMission();
-  mission.grid = sylph::Grid::fromText("...\n");
-  const sylph::Instance instance = {mission.grid, {{0, 0}, {0, 2}}, {{0, 2}, {0, 0}}, {}};
+  mission.grid = Grid::fromText("...\n");
+  const Instance instance = {mission.grid, {{0, 0}, {0, 2}}, {{0, 2}, {0, 0}}, {}};
   const CheckedPlan plan = planAsFarAsPossible(mission, instance);
   ASSERT_FALSE(plan.plan.empty());
   EXPECT_EQ(instance.starts, plan.plan.front());
   EXPECT_EQ(plan.instance.goals, plan.plan.back());
-  EXPECT_FALSE(sylph::checkPlan(plan.instance, plan.plan));
+  EXPECT_FALSE(checkPlan(plan.instance, plan.plan));
 }
 
 }  // namespace
-}  // namespace sylph_planner_node
+}  // namespace sylph

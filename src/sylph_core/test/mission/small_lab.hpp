@@ -1,30 +1,28 @@
 #pragma once
 
-#include <geometry_msgs/PoseStamped.h>
-
 #include <string>
 #include <vector>
 
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
-#include "sylph_planner_node/mission.hpp"
-#include "sylph_planner_node/start_cells.hpp"
+#include "sylph_core/mission/mission.hpp"
+#include "sylph_core/mission/start_cells.hpp"
 
-/// The lab of test/data/small_lab.yaml, and what a test says about it.
-namespace sylph_planner_node {
+/// The lab of data/small_lab.yaml, and what a test says about it.
+namespace sylph {
 
-inline sylph::Experiment smallLab() {
-  return sylph::loadExperiment(std::string(SYLPH_TEST_DATA) + "/small_lab.yaml");
+inline Experiment smallLab() {
+  return loadExperiment(std::string(SYLPH_TEST_DATA) + "/small_lab.yaml");
 }
 
 /// The mission of the small lab: robots 0, 1, 2 to their goals.
 inline Mission smallMission() {
-  const sylph::Experiment lab = smallLab();
+  const Experiment lab = smallLab();
   Mission mission;
   mission.map_path = lab.map_path;
   mission.grid = lab.grid;
   mission.cell_size_m = lab.cell_size_m;
-  for (const sylph::RobotSpec& robot : lab.robots) {
+  for (const RobotSpec& robot : lab.robots) {
     mission.robots.push_back(robot.name);
     mission.goals.push_back(robot.goal);
   }
@@ -33,17 +31,17 @@ inline Mission smallMission() {
   return mission;
 }
 
-inline sylph::Configuration smallStarts() {
-  sylph::Configuration starts;
-  for (const sylph::RobotSpec& robot : smallLab().robots) {
+inline Configuration smallStarts() {
+  Configuration starts;
+  for (const RobotSpec& robot : smallLab().robots) {
     starts.push_back(robot.start);
   }
   return starts;
 }
 
 /// A pose in the middle of a cell.
-inline sylph::Pose2d pose2dIn(const Mission& mission, const sylph::Cell& cell) {
-  const sylph::Point point = sylph::CellFrame(mission.grid, mission.cell_size_m).toPoint(cell);
+inline Pose2d pose2dIn(const Mission& mission, const Cell& cell) {
+  const Point point = CellFrame(mission.grid, mission.cell_size_m).toPoint(cell);
   return {point.x, point.y, 0.0};
 }
 
@@ -57,16 +55,6 @@ inline RobotPoses posesInStarts() {
   return poses;
 }
 
-inline geometry_msgs::PoseStamped poseIn(const Mission& mission, const sylph::Cell& cell) {
-  const sylph::Pose2d point = pose2dIn(mission, cell);
-  geometry_msgs::PoseStamped pose;
-  pose.header.frame_id = "map";
-  pose.pose.position.x = point.x_m;
-  pose.pose.position.y = point.y_m;
-  pose.pose.orientation.w = 1.0;
-  return pose;
-}
-
 /// The message of the failure that `call` throws, with its outcome in front: "1: unknown robot".
 template <typename Call>
 std::string failureOf(const Call& call) {
@@ -78,4 +66,4 @@ std::string failureOf(const Call& call) {
   return "no failure";
 }
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

@@ -1,17 +1,11 @@
-#include "sylph_planner_node/progress.hpp"
+#include "sylph_core/mission/progress.hpp"
 
 #include <gtest/gtest.h>
 
 #include "small_lab.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
-
-using sylph::AdgState;
-using sylph::ExecutionMode;
-using sylph::ExecutionPhase;
-using sylph::RobotCondition;
-using sylph::RobotExecution;
 
 /// All robots of the small mission on their goals.
 AdgState finishedState() {
@@ -37,7 +31,7 @@ TEST(WaitingLinesTest, SayWhoWaitsForWhomAndWhy) {
   RobotExecution& robot = state.robots[0];
   robot.waited_s = 1.23;
   robot.waits_for_robot = "robot_1";
-  robot.waits_for_cell = sylph::Cell{2, 3};
+  robot.waits_for_cell = Cell{2, 3};
   robot.root_cause_robot = "robot_2";
   robot.root_cause = "has no good pose";
   state.robots[2].condition = RobotCondition::Blind;
@@ -84,7 +78,7 @@ TEST(FinishedResultTest, IsSuccessOnlyIfAllAreOnTheirGoals) {
 TEST(FinishedResultTest, SaysWhoDidNotArriveAndWhy) {
   AdgState state = finishedState();
   state.robots[1].condition = RobotCondition::Lost;
-  state.robots[0].cell = sylph::Cell{0, 3};
+  state.robots[0].cell = Cell{0, 3};
   const auto result =
       finishedResult(smallMission(), state, {"robot_0 cannot reach (0,4) any more"});
   EXPECT_EQ(MissionOutcome::Incomplete, result.outcome);
@@ -111,9 +105,9 @@ TEST(AllHoldTest, NeedsAPauseAndRobotsAtRest) {
   EXPECT_FALSE(allHold(state));
   state.mode = ExecutionMode::Pause;
   EXPECT_TRUE(allHold(state));
-  state.robots[1].report_state = sylph::RobotState::Moving;
+  state.robots[1].report_state = RobotState::Moving;
   EXPECT_FALSE(allHold(state));
 }
 
 }  // namespace
-}  // namespace sylph_planner_node
+}  // namespace sylph

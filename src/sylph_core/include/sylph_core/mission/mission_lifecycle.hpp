@@ -11,12 +11,12 @@
 #include "sylph_core/execution/adg_state.hpp"
 #include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_core/experiment/experiment.hpp"
-#include "sylph_planner_node/checked_plan.hpp"
-#include "sylph_planner_node/mission.hpp"
-#include "sylph_planner_node/progress.hpp"
-#include "sylph_planner_node/start_cells.hpp"
+#include "sylph_core/mission/checked_plan.hpp"
+#include "sylph_core/mission/mission.hpp"
+#include "sylph_core/mission/progress.hpp"
+#include "sylph_core/mission/start_cells.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 
 /// How long things may take. All in the time that the lifecycle is told [s], > 0.
 struct MissionLimits {
@@ -33,7 +33,7 @@ struct MissionLimits {
 using PlanningOutcome = std::variant<CheckedPlan, MissionFailure>;
 
 /// What a mission wants to be done.
-namespace command {
+namespace mission_command {
 
 /// Takes as long as planning does: meant for a thread of its own, its outcome for onPlanned().
 struct Plan {
@@ -41,7 +41,7 @@ struct Plan {
 };
 /// To the central node, in place of the plan before.
 struct Publish {
-  sylph::MissionPlan plan;
+  MissionPlan plan;
 };
 /// The plan that was published last.
 struct PublishAgain {};
@@ -62,12 +62,13 @@ struct End {
   MissionResult result;
 };
 
-}  // namespace command
+}  // namespace mission_command
 
 /// One thing to do, for whoever has ROS.
 using MissionCommand =
-    std::variant<command::Plan, command::Publish, command::PublishAgain, command::Withdraw,
-                 command::Pause, command::Resume, command::Say, command::End>;
+    std::variant<mission_command::Plan, mission_command::Publish, mission_command::PublishAgain,
+                 mission_command::Withdraw, mission_command::Pause, mission_command::Resume,
+                 mission_command::Say, mission_command::End>;
 
 /// The life of missions, one at a time: from the poses of the robots to a plan, which is sent to
 /// the central node and followed; the rest is planned when robots are lost.
@@ -87,8 +88,7 @@ class MissionLifecycle {
 
   /// @param lab          robots that there are, with part in a mission or not
   /// @param state_topic  where the central node is heard, to be named when it is not
-  MissionLifecycle(std::vector<sylph::RobotSpec> lab, const MissionLimits& limits,
-                   std::string state_topic)
+  MissionLifecycle(std::vector<RobotSpec> lab, const MissionLimits& limits, std::string state_topic)
       : lab_(std::move(lab)), limits_(limits), state_topic_(std::move(state_topic)) {}
 
   /// Ends the present mission, if there is one, since another one takes its place.
@@ -101,8 +101,8 @@ class MissionLifecycle {
   void fail(const MissionFailure& failure, double now_s);
 
   /// The central node was heard.
-  void onAdgState(sylph::AdgState state, double now_s);
-  /// The outcome of the last command::Plan; one that nobody waits for any more is dropped.
+  void onAdgState(AdgState state, double now_s);
+  /// The outcome of the last mission_command::Plan; one that nobody waits for any more is dropped.
   void onPlanned(PlanningOutcome outcome, double now_s);
   /// @param poses  needed in stage Starting
   void tick(const RobotPoses& poses, double now_s);
@@ -132,17 +132,17 @@ class MissionLifecycle {
 
   void startPlanning(const RobotPoses& poses, double now_s);
   void startReplanning(double now_s);
-  void plan(command::Plan command, double now_s);
+  void plan(mission_command::Plan command, double now_s);
   void send(const CheckedPlan& plan, double now_s);
   void sendAgain(double now_s);
   void follow(double now_s);
   void pauseIfUnderWay();
   void finish(MissionResult result, double now_s);
   void enter(Stage stage, double now_s);
-  void say(command::Say::Level level, const std::string& text);
+  void say(mission_command::Say::Level level, const std::string& text);
   bool hasBeenSilent(double now_s) const;
 
-  std::vector<sylph::RobotSpec> lab_;
+  std::vector<RobotSpec> lab_;
   MissionLimits limits_;
   std::string state_topic_;
   std::vector<MissionCommand> commands_;
@@ -156,16 +156,16 @@ class MissionLifecycle {
   std::uint32_t plan_id_ = 0;
   std::uint32_t replaces_plan_id_ = 0;
   std::vector<std::string> given_up_;
-  std::vector<sylph::Cell> bystanders_;  ///< cells of robots without part in the mission
-  std::string waits_for_;                ///< why a mission does not start yet
-  bool is_planning_ = false;             ///< for this mission or one that was left
-  bool has_published_ = false;           ///< a plan, and has not taken it back
-  bool has_paused_ = false;  ///< the pause that is in force was asked for here, by no operator
+  std::vector<Cell> bystanders_;  ///< cells of robots without part in the mission
+  std::string waits_for_;         ///< why a mission does not start yet
+  bool is_planning_ = false;      ///< for this mission or one that was left
+  bool has_published_ = false;    ///< a plan, and has not taken it back
+  bool has_paused_ = false;       ///< the pause that is in force was asked for here, by no operator
   double sent_s_ = 0.0;
-  std::optional<sylph::AdgState> state_;  ///< the last one
+  std::optional<AdgState> state_;  ///< the last one
   double state_received_s_ = 0.0;
 };
 
 std::string toString(MissionLifecycle::Stage stage);
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

@@ -1,4 +1,4 @@
-#include "sylph_planner_node/start_cells.hpp"
+#include "sylph_core/mission/start_cells.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,7 @@
 
 #include "small_lab.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
 
 std::string failureWith(const RobotPoses& poses) {
@@ -18,7 +18,7 @@ TEST(StartCellsTest, AreTheCellsThatContainThePoses) {
   RobotPoses poses = posesInStarts();
   poses["robot_0"].pose.x_m += 0.14;  // still in (0,0)
   poses["robot_1"].pose.y_m += 0.16;  // from (2,4) over the edge to (1,4)
-  EXPECT_EQ((sylph::Configuration{{0, 0}, {1, 4}, {0, 4}}), startCells(smallMission(), poses));
+  EXPECT_EQ((Configuration{{0, 0}, {1, 4}, {0, 4}}), startCells(smallMission(), poses));
 }
 
 TEST(StartCellsTest, FollowTheCornerOfTheMap) {
@@ -98,7 +98,7 @@ TEST(CellsOfBystandersTest, AreThoseThatTheFootprintTouches) {
   RobotPoses poses = posesInStarts();
   poses["robot_1"].pose.x_m -= 0.1;   // 0.23 m long: reaches from (2,4) into (2,3)
   poses["robot_2"].fault = "is old";  // nobody knows where it is
-  EXPECT_EQ((std::vector<sylph::Cell>{{2, 3}, {2, 4}}),
+  EXPECT_EQ((std::vector<Cell>{{2, 3}, {2, 4}}),
             cellsOfBystanders(mission, smallLab().robots, poses));
 }
 
@@ -110,9 +110,9 @@ TEST(CellsOfBystandersTest, FollowTheHeading) {
   // Turned by 90 degrees the robot reaches 0.115 m along y, not 0.1 m.
   poses["robot_1"].pose.yaw_rad = std::acos(0.0);
   poses["robot_1"].pose.y_m += 0.04;
-  EXPECT_EQ((std::vector<sylph::Cell>{{1, 4}, {2, 4}}),
+  EXPECT_EQ((std::vector<Cell>{{1, 4}, {2, 4}}),
             cellsOfBystanders(mission, smallLab().robots, poses));
 }
 
 }  // namespace
-}  // namespace sylph_planner_node
+}  // namespace sylph

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "sylph_core/execution/adg_state.hpp"
-#include "sylph_planner_node/mission.hpp"
+#include "sylph_core/mission/mission.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 
 /// How far a mission is, for those who wait for it.
 struct MissionProgress {
@@ -20,29 +20,28 @@ struct MissionProgress {
 
 /// One line per robot that does not move although it has something to do: who waits for whom, for
 /// how long and why. A pause or stop of the whole lab is the first line.
-std::vector<std::string> waitingLines(const sylph::AdgState& state);
+std::vector<std::string> waitingLines(const AdgState& state);
 
 /// Robots of the mission that have done all their tasks and stand on their goal.
-std::uint32_t robotsArrived(const Mission& mission, const sylph::AdgState& state);
+std::uint32_t robotsArrived(const Mission& mission, const AdgState& state);
 
 /// @param phase  of the mission; the rest is taken from `state`
-MissionProgress progressOf(const std::string& phase, const Mission& mission,
-                           const sylph::AdgState& state);
+MissionProgress progressOf(const std::string& phase, const Mission& mission, const AdgState& state);
 
 /// Result of a mission whose last plan is FINISHED: SUCCESS if everybody is on its goal, otherwise
 /// INCOMPLETE with one clause per robot that is not.
 /// @param given_up  why robots could not have their goals, from restOfMission()
-MissionResult finishedResult(const Mission& mission, const sylph::AdgState& state,
+MissionResult finishedResult(const Mission& mission, const AdgState& state,
                              const std::vector<std::string>& given_up);
 
 /// Whether `state` is that of a plan of this mission that is being carried out: the same robots
 /// with the same goals. A planner that was started again goes on with it.
-bool isExecutionOf(const Mission& mission, const sylph::AdgState& state);
+bool isExecutionOf(const Mission& mission, const AdgState& state);
 
 /// Whether some plan is under way.
-bool isBusy(const sylph::AdgState& state);
+bool isBusy(const AdgState& state);
 
 /// Whether no robot moves or will move before the central node releases new tasks.
-bool allHold(const sylph::AdgState& state);
+bool allHold(const AdgState& state);
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

@@ -1,4 +1,4 @@
-#include "sylph_planner_node/checked_plan.hpp"
+#include "sylph_core/mission/checked_plan.hpp"
 
 #include <chrono>
 #include <cmath>
@@ -9,22 +9,22 @@
 #include "sylph_core/grid/components.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
 
 struct TimedResult {
-  sylph::PlanningResult result;
+  PlanningResult result;
   double planning_s;
 };
 
-TimedResult runPlanner(const Mission& mission, const sylph::Instance& instance) {
-  sylph::PlanningLimits limits;
+TimedResult runPlanner(const Mission& mission, const Instance& instance) {
+  PlanningLimits limits;
   limits.time_limit_s = mission.time_limit_s;
-  sylph::Rng rng(mission.seed);
+  Rng rng(mission.seed);
   const auto begin = std::chrono::steady_clock::now();
   try {
-    const auto planner = sylph::makePlanner(mission.planner, mission.policy);
-    sylph::PlanningResult result = planner->plan(instance, limits, rng);
+    const auto planner = makePlanner(mission.planner, mission.policy);
+    PlanningResult result = planner->plan(instance, limits, rng);
     const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
     return {std::move(result), took.count()};
   } catch (const std::exception& error) {
@@ -34,14 +34,14 @@ TimedResult runPlanner(const Mission& mission, const sylph::Instance& instance) 
 }
 
 /// One social state per joint action; unknown where the planner gives none.
-std::vector<sylph::SocialState> completeSocial(std::vector<sylph::SocialState> social,
-                                               std::size_t steps, std::size_t agents) {
-  sylph::SocialState unknown;
+std::vector<SocialState> completeSocial(std::vector<SocialState> social, std::size_t steps,
+                                        std::size_t agents) {
+  SocialState unknown;
   for (std::size_t agent = 0; agent < agents; ++agent) {
-    unknown.partners.push_back(static_cast<sylph::AgentId>(agent));
+    unknown.partners.push_back(static_cast<AgentId>(agent));
     unknown.svo_deg.push_back(std::numeric_limits<float>::quiet_NaN());
   }
-  for (sylph::SocialState& state : social) {
+  for (SocialState& state : social) {
     if (state.partners.size() != agents || state.svo_deg.size() != agents) {
       state = unknown;
     }
@@ -50,8 +50,8 @@ std::vector<sylph::SocialState> completeSocial(std::vector<sylph::SocialState> s
   return social;
 }
 
-CheckedPlan check(const Mission& mission, const sylph::Instance& instance, TimedResult timed) {
-  if (const auto violation = sylph::checkPlan(instance, timed.result.plan)) {
+CheckedPlan check(const Mission& mission, const Instance& instance, TimedResult timed) {
+  if (const auto violation = checkPlan(instance, timed.result.plan)) {
     throw MissionFailure(MissionOutcome::NoPlan,
                          "the plan of planner " + mission.planner +
                              " is wrong and was dropped: " + violation->message);
@@ -61,16 +61,16 @@ CheckedPlan check(const Mission& mission, const sylph::Instance& instance, Timed
   checked.social = completeSocial(std::move(timed.result.social), timed.result.plan.size() - 1,
                                   instance.starts.size());
   checked.plan = std::move(timed.result.plan);
-  checked.metrics = sylph::computeMetrics(instance, checked.plan);
+  checked.metrics = computeMetrics(instance, checked.plan);
   checked.planning_s = timed.planning_s;
   return checked;
 }
 
 }  // namespace
 
-sylph::MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string>& robots,
-                                 const std::string& planner) {
-  sylph::MissionPlan mission_plan;
+MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string>& robots,
+                          const std::string& planner) {
+  MissionPlan mission_plan;
   mission_plan.planner = planner;
   mission_plan.planning_s = plan.planning_s;
   mission_plan.robots = robots;
@@ -80,56 +80,55 @@ sylph::MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std:
   return mission_plan;
 }
 
-sylph::Instance toInstance(const Mission& mission, const sylph::Configuration& starts,
-                           const std::vector<sylph::Cell>& obstacles) {
-  sylph::Instance instance;
+Instance toInstance(const Mission& mission, const Configuration& starts,
+                    const std::vector<Cell>& obstacles) {
+  Instance instance;
   instance.grid = mission.grid;
   instance.starts = starts;
   instance.goals = mission.goals;
   instance.motion.rotations = false;
-  for (const sylph::Cell& cell : obstacles) {
+  for (const Cell& cell : obstacles) {
     instance.grid.setObstacle(cell);
   }
-  const std::vector<int> label = sylph::connectedComponents(instance.grid).label;
-  const auto component = [&](const sylph::Cell& cell) {
+  const std::vector<int> label = connectedComponents(instance.grid).label;
+  const auto component = [&](const Cell& cell) {
     return label[static_cast<std::size_t>(instance.grid.indexOf(cell))];
   };
   for (std::size_t i = 0; i < starts.size(); ++i) {
     if (!instance.grid.isFree(starts[i])) {
       throw MissionFailure(MissionOutcome::NoPose,
-                           mission.robots[i] + " in cell " + sylph::toString(starts[i]) +
+                           mission.robots[i] + " in cell " + toString(starts[i]) +
                                " touches a robot that has no part in the mission");
     }
     if (component(starts[i]) != component(mission.goals[i])) {
-      throw MissionFailure(MissionOutcome::BadRequest, "goal " + sylph::toString(mission.goals[i]) +
-                                                           " of " + mission.robots[i] +
-                                                           " cannot be reached from its cell " +
-                                                           sylph::toString(starts[i]));
+      throw MissionFailure(MissionOutcome::BadRequest,
+                           "goal " + toString(mission.goals[i]) + " of " + mission.robots[i] +
+                               " cannot be reached from its cell " + toString(starts[i]));
     }
   }
   return instance;
 }
 
-CheckedPlan planMission(const Mission& mission, const sylph::Instance& instance) {
+CheckedPlan planMission(const Mission& mission, const Instance& instance) {
   TimedResult timed = runPlanner(mission, instance);
-  if (timed.result.outcome != sylph::Outcome::Solved) {
+  if (timed.result.outcome != Outcome::Solved) {
     throw MissionFailure(MissionOutcome::NoPlan, "planner " + mission.planner + " found no plan: " +
-                                                     sylph::toString(timed.result.outcome));
+                                                     toString(timed.result.outcome));
   }
   return check(mission, instance, std::move(timed));
 }
 
-CheckedPlan planAsFarAsPossible(const Mission& mission, const sylph::Instance& instance) {
+CheckedPlan planAsFarAsPossible(const Mission& mission, const Instance& instance) {
   TimedResult timed = runPlanner(mission, instance);
-  if (timed.result.outcome == sylph::Outcome::Solved) {
+  if (timed.result.outcome == Outcome::Solved) {
     return check(mission, instance, std::move(timed));
   }
   if (timed.result.plan.empty()) {
     timed.result.plan = {instance.starts};
   }
-  sylph::Instance shortened = instance;
+  Instance shortened = instance;
   shortened.goals = timed.result.plan.back();
   return check(mission, shortened, std::move(timed));
 }
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

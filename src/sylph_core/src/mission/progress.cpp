@@ -1,16 +1,10 @@
-#include "sylph_planner_node/progress.hpp"
+#include "sylph_core/mission/progress.hpp"
 
 #include <algorithm>
 #include <cstdio>
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
-
-using sylph::AdgState;
-using sylph::ExecutionMode;
-using sylph::ExecutionPhase;
-using sylph::RobotCondition;
-using sylph::RobotExecution;
 
 std::string seconds(double value) {
   char text[32];
@@ -35,7 +29,7 @@ std::string conditionText(const RobotExecution& robot) {
 
 std::string waitingText(const RobotExecution& robot) {
   std::string text = robot.robot + " waits " + seconds(robot.waited_s) + " for " +
-                     robot.waits_for_robot + " to leave " + sylph::toString(robot.waits_for_cell);
+                     robot.waits_for_robot + " to leave " + toString(robot.waits_for_cell);
   if (!robot.root_cause_robot.empty() && robot.root_cause_robot != robot.waits_for_robot) {
     text += "; held up by " + robot.root_cause_robot;
   }
@@ -139,8 +133,8 @@ bool isBusy(const AdgState& state) {
 bool allHold(const AdgState& state) {
   return state.mode != ExecutionMode::Run &&
          std::none_of(state.robots.begin(), state.robots.end(), [](const RobotExecution& robot) {
-           return robot.report_state == sylph::RobotState::Moving;
+           return robot.report_state == RobotState::Moving;
          });
 }
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

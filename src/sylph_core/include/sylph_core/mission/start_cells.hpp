@@ -6,14 +6,14 @@
 
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
-#include "sylph_planner_node/mission.hpp"
+#include "sylph_core/mission/mission.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 
 /// The last pose of a robot.
 struct RobotPose {
-  sylph::Pose2d pose;  ///< the robot's frame in the map
-  std::string fault;   ///< why it cannot be used, to follow "the pose of robot_3 "; empty: nothing
+  Pose2d pose;        ///< the robot's frame in the map
+  std::string fault;  ///< why it cannot be used, to follow "the pose of robot_3 "; empty: nothing
 };
 
 /// By name of the robot.
@@ -22,19 +22,18 @@ using RobotPoses = std::map<std::string, RobotPose>;
 /// The cells in which the robots of a mission are, one per robot: the cell that contains the pose.
 /// @throws MissionFailure (NoPose) with one line per robot whose pose is missing or faulty, not in
 /// a free cell, or in the cell of another robot
-sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses);
+Configuration startCells(const Mission& mission, const RobotPoses& poses);
 
 /// A plan might lead through a robot that nobody sees.
 /// @throws MissionFailure (NoPose) with one line per robot of the lab without part in the mission
 /// whose pose is missing or faulty
-void requireBystandersSeen(const Mission& mission, const std::vector<sylph::RobotSpec>& lab,
+void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>& lab,
                            const RobotPoses& poses);
 
 /// The cells that robots of the lab without part in the mission stand on, as far as they have good
 /// poses: obstacles for everybody else. A footprint that reaches over an edge takes the cells on
 /// both sides.
-std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission,
-                                           const std::vector<sylph::RobotSpec>& lab,
-                                           const RobotPoses& poses);
+std::vector<Cell> cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
+                                    const RobotPoses& poses);
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

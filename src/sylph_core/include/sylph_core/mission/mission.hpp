@@ -12,7 +12,7 @@
 #include "sylph_core/mapf/types.hpp"
 #include "sylph_core/policy/policy.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 
 /// How a mission ends, see ExecuteMission.action.
 enum class MissionOutcome : std::uint8_t {
@@ -53,15 +53,15 @@ struct MissionResult {
 /// A mission that has been checked as far as it can be without knowing where the robots are.
 struct Mission {
   std::string map_path;  ///< for messages
-  sylph::Grid grid;
+  Grid grid;
   double cell_size_m = 0.0;  ///< side of a cell [m], > 0
-  sylph::Point corner;       ///< lower left corner of the map [m]
+  Point corner;              ///< lower left corner of the map [m]
   std::vector<std::string> robots;
-  sylph::Configuration goals;                   ///< one per robot, free and distinct
-  std::string planner;                          ///< its name, as makePlanner() knows it
-  std::shared_ptr<const sylph::Policy> policy;  ///< for planners that need one
-  double time_limit_s = 0.0;                    ///< wall time for a plan [s], > 0
-  std::uint32_t seed = 0;                       ///< of the planner
+  Configuration goals;                   ///< one per robot, free and distinct
+  std::string planner;                   ///< its name, as makePlanner() knows it
+  std::shared_ptr<const Policy> policy;  ///< for planners that need one
+  double time_limit_s = 0.0;             ///< wall time for a plan [s], > 0
+  std::uint32_t seed = 0;                ///< of the planner
 
   /// Index of a robot, or robots.size() if it has no part in the mission.
   std::size_t indexOf(const std::string& robot) const {
@@ -70,4 +70,4 @@ struct Mission {
   }
 };
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

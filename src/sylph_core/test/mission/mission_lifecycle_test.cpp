@@ -1,4 +1,4 @@
-#include "sylph_planner_node/mission_lifecycle.hpp"
+#include "sylph_core/mission/mission_lifecycle.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,12 +7,9 @@
 
 #include "small_lab.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
 
-using sylph::AdgState;
-using sylph::ExecutionMode;
-using sylph::ExecutionPhase;
 using Stage = MissionLifecycle::Stage;
 
 MissionLimits limits() {
@@ -32,7 +29,7 @@ class MissionLifecycleTest : public testing::Test {
   MissionLifecycleTest() {
     const Mission mission = smallMission();
     for (std::size_t i = 0; i < mission.robots.size(); ++i) {
-      sylph::RobotExecution robot;
+      RobotExecution robot;
       robot.robot = mission.robots[i];
       robot.cell = smallStarts()[i];
       robot.held_cells = {robot.cell};
@@ -79,11 +76,11 @@ class MissionLifecycleTest : public testing::Test {
     return found;
   }
 
-  MissionResult result() const { return last<command::End>().result; }
+  MissionResult result() const { return last<mission_command::End>().result; }
 
   void plan() {
     ASSERT_EQ(Stage::Planning, lifecycle_.stage());
-    lifecycle_.onPlanned(last<command::Plan>().make(), now_s_);
+    lifecycle_.onPlanned(last<mission_command::Plan>().make(), now_s_);
     take();
   }
 
@@ -99,15 +96,15 @@ class MissionLifecycleTest : public testing::Test {
     ASSERT_EQ(Stage::Sending, lifecycle_.stage());
     state_.plan_id = lifecycle_.planId();
     state_.phase = ExecutionPhase::Executing;
-    state_.robots[0].report_state = sylph::RobotState::Moving;
+    state_.robots[0].report_state = RobotState::Moving;
     hear();
     ASSERT_EQ(Stage::Executing, lifecycle_.stage());
   }
 
   void arrive() {
-    for (sylph::RobotExecution& robot : state_.robots) {
+    for (RobotExecution& robot : state_.robots) {
       robot.cell = robot.goal;
-      robot.report_state = sylph::RobotState::Idle;
+      robot.report_state = RobotState::Idle;
     }
     state_.phase = ExecutionPhase::Finished;
   }
@@ -121,7 +118,7 @@ class MissionLifecycleTest : public testing::Test {
 
 TEST_F(MissionLifecycleTest, PlansSendsFollowsAndEnds) {
   execute();
-  const sylph::MissionPlan plan = last<command::Publish>().plan;
+  const MissionPlan plan = last<mission_command::Publish>().plan;
   EXPECT_EQ(1U, plan.plan_id);
   EXPECT_EQ(0U, plan.replaces_plan_id);
   EXPECT_EQ(smallStarts(), plan.plan.front());
@@ -132,7 +129,7 @@ TEST_F(MissionLifecycleTest, PlansSendsFollowsAndEnds) {
   EXPECT_EQ(MissionOutcome::Success, result().outcome) << result().message;
   EXPECT_EQ(3U, result().arrived);
   EXPECT_EQ(plan.steps(), result().plan_steps);
-  EXPECT_EQ(1U, count<command::Withdraw>());
+  EXPECT_EQ(1U, count<mission_command::Withdraw>());
   EXPECT_EQ(Stage::Idle, lifecycle_.stage());
 }
 
@@ -179,7 +176,7 @@ TEST_F(MissionLifecycleTest, WaitsForBystandersToBeSeen) {
   now_s_ += 5.1;
   hear();
   EXPECT_EQ(MissionOutcome::NoPose, result().outcome);
-  EXPECT_EQ(0U, count<command::Plan>());
+  EXPECT_EQ(0U, count<mission_command::Plan>());
 }
 
 TEST_F(MissionLifecycleTest, GoesOnWithoutBystandersIfToldTo) {
@@ -234,10 +231,10 @@ TEST_F(MissionLifecycleTest, SendsAgainWhatDidNotArrive) {
   plan();
   now_s_ += 0.4;
   hear();
-  EXPECT_EQ(0U, count<command::PublishAgain>());
+  EXPECT_EQ(0U, count<mission_command::PublishAgain>());
   now_s_ += 0.1;
   hear();
-  EXPECT_EQ(1U, count<command::PublishAgain>());
+  EXPECT_EQ(1U, count<mission_command::PublishAgain>());
   EXPECT_EQ(Stage::Sending, lifecycle_.stage());
 }
 
@@ -246,7 +243,7 @@ TEST_F(MissionLifecycleTest, SendsAPlanAgainThatTheCentralNodeHasLost) {
   state_.plan_id = 0;
   state_.phase = ExecutionPhase::Idle;
   hear();
-  EXPECT_EQ(1U, count<command::PublishAgain>());
+  EXPECT_EQ(1U, count<mission_command::PublishAgain>());
   EXPECT_EQ(Stage::Sending, lifecycle_.stage());
 }
 
@@ -255,7 +252,7 @@ TEST_F(MissionLifecycleTest, NumbersPlansAfterThoseTheCentralNodeKnows) {
   state_.last_plan_id = 12;
   begin();
   plan();
-  EXPECT_EQ(13U, last<command::Publish>().plan.plan_id);
+  EXPECT_EQ(13U, last<mission_command::Publish>().plan.plan_id);
 }
 
 TEST_F(MissionLifecycleTest, PassesOnWhyThePlanWasRefused) {
@@ -283,12 +280,12 @@ TEST_F(MissionLifecycleTest, EndsWithThePlannersReason) {
   take();
   EXPECT_EQ(MissionOutcome::NoPlan, result().outcome);
   EXPECT_EQ("step limit", result().message);
-  EXPECT_EQ(0U, count<command::Publish>());
+  EXPECT_EQ(0U, count<mission_command::Publish>());
 }
 
 TEST_F(MissionLifecycleTest, PlansTheRestAtTheCut) {
   execute();
-  state_.robots[1].condition = sylph::RobotCondition::Lost;
+  state_.robots[1].condition = RobotCondition::Lost;
   state_.phase = ExecutionPhase::Cutting;
   hear();
   EXPECT_EQ("cutting", lifecycle_.progress().phase);
@@ -296,7 +293,7 @@ TEST_F(MissionLifecycleTest, PlansTheRestAtTheCut) {
   hear();
   EXPECT_EQ("replanning", lifecycle_.progress().phase);
   plan();
-  const sylph::MissionPlan rest = last<command::Publish>().plan;
+  const MissionPlan rest = last<mission_command::Publish>().plan;
   EXPECT_EQ(2U, rest.plan_id);
   EXPECT_EQ(1U, rest.replaces_plan_id);
   EXPECT_EQ((std::vector<std::string>{"robot_0", "robot_2"}), rest.robots);
@@ -313,13 +310,13 @@ TEST_F(MissionLifecycleTest, PlansTheRestAroundBystandersToo) {
   state_.plan_id = lifecycle_.planId();
   state_.phase = ExecutionPhase::Executing;
   hear();
-  state_.robots[1].condition = sylph::RobotCondition::Lost;
+  state_.robots[1].condition = RobotCondition::Lost;
   state_.phase = ExecutionPhase::AtCut;
   hear();
   ASSERT_EQ(Stage::Planning, lifecycle_.stage());
-  const PlanningOutcome rest = last<command::Plan>().make();
+  const PlanningOutcome rest = last<mission_command::Plan>().make();
   ASSERT_TRUE(std::holds_alternative<CheckedPlan>(rest));
-  const sylph::Grid& grid = std::get<CheckedPlan>(rest).instance.grid;
+  const Grid& grid = std::get<CheckedPlan>(rest).instance.grid;
   EXPECT_FALSE(grid.isFree(smallStarts()[2]));
   EXPECT_TRUE(grid.isFree({0, 3}));
 }
@@ -328,12 +325,12 @@ TEST_F(MissionLifecycleTest, PausesAMissionThatIsCancelledUntilTheRobotsHold) {
   execute();
   lifecycle_.cancel(now_s_);
   hear();
-  EXPECT_EQ(1U, count<command::Pause>());
+  EXPECT_EQ(1U, count<mission_command::Pause>());
   EXPECT_EQ(Stage::Pausing, lifecycle_.stage());
   state_.mode = ExecutionMode::Pause;
   hear();
   EXPECT_EQ(Stage::Pausing, lifecycle_.stage()) << "a robot moves";
-  state_.robots[0].report_state = sylph::RobotState::Holding;
+  state_.robots[0].report_state = RobotState::Holding;
   hear();
   EXPECT_EQ(MissionOutcome::Preempted, result().outcome);
   EXPECT_EQ("cancelled: the robots hold at their next cells", result().message);
@@ -352,14 +349,14 @@ TEST_F(MissionLifecycleTest, ForgetsThePlanOfAMissionThatIsCancelledBeforeItIsMa
   lifecycle_.cancel(now_s_);
   hear();
   EXPECT_EQ("cancelled before a robot moved", result().message);
-  EXPECT_EQ(0U, count<command::Pause>());
+  EXPECT_EQ(0U, count<mission_command::Pause>());
   begin();
   EXPECT_EQ(Stage::Starting, lifecycle_.stage()) << "the thread is still at work";
-  lifecycle_.onPlanned(last<command::Plan>().make(), now_s_);
+  lifecycle_.onPlanned(last<mission_command::Plan>().make(), now_s_);
   take();
-  EXPECT_EQ(0U, count<command::Publish>());
+  EXPECT_EQ(0U, count<mission_command::Publish>());
   hear();
-  EXPECT_EQ(2U, count<command::Plan>());
+  EXPECT_EQ(2U, count<mission_command::Plan>());
 }
 
 TEST_F(MissionLifecycleTest, LiftsItsOwnPauseWithTheNextMission) {
@@ -367,20 +364,20 @@ TEST_F(MissionLifecycleTest, LiftsItsOwnPauseWithTheNextMission) {
   lifecycle_.supersede(now_s_);
   take();
   EXPECT_EQ(MissionOutcome::Preempted, result().outcome);
-  EXPECT_EQ(1U, count<command::Pause>());
+  EXPECT_EQ(1U, count<mission_command::Pause>());
   Mission other = smallMission();
   other.goals[1] = {1, 0};
   lifecycle_.begin(other, now_s_);
   hear();
   EXPECT_EQ(Stage::Starting, lifecycle_.stage()) << "robots of the old mission move";
   state_.mode = ExecutionMode::Pause;
-  state_.robots[0].report_state = sylph::RobotState::Holding;
+  state_.robots[0].report_state = RobotState::Holding;
   hear();
   plan();
-  EXPECT_EQ(0U, count<command::Resume>());
+  EXPECT_EQ(0U, count<mission_command::Resume>());
   state_.plan_id = lifecycle_.planId();
   hear();
-  EXPECT_EQ(1U, count<command::Resume>());
+  EXPECT_EQ(1U, count<mission_command::Resume>());
 }
 
 TEST_F(MissionLifecycleTest, LeavesAnOperatorsPauseAlone) {
@@ -388,7 +385,7 @@ TEST_F(MissionLifecycleTest, LeavesAnOperatorsPauseAlone) {
   execute();
   arrive();
   hear();
-  EXPECT_EQ(0U, count<command::Resume>());
+  EXPECT_EQ(0U, count<mission_command::Resume>());
 }
 
 TEST_F(MissionLifecycleTest, RefusesToStartWhileAnotherPlanIsCarriedOut) {
@@ -407,8 +404,8 @@ TEST_F(MissionLifecycleTest, GoesOnWithItsMissionAfterARestart) {
   begin();
   EXPECT_EQ(Stage::Executing, lifecycle_.stage());
   EXPECT_EQ(9U, lifecycle_.planId());
-  EXPECT_EQ(0U, count<command::Plan>());
-  EXPECT_EQ(0U, count<command::Resume>());
+  EXPECT_EQ(0U, count<mission_command::Plan>());
+  EXPECT_EQ(0U, count<mission_command::Resume>());
 }
 
 TEST_F(MissionLifecycleTest, EndsARequestThatIsNoMission) {
@@ -420,4 +417,4 @@ TEST_F(MissionLifecycleTest, EndsARequestThatIsNoMission) {
 }
 
 }  // namespace
-}  // namespace sylph_planner_node
+}  // namespace sylph

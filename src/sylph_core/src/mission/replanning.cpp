@@ -1,4 +1,4 @@
-#include "sylph_planner_node/replanning.hpp"
+#include "sylph_core/mission/replanning.hpp"
 
 #include <algorithm>
 #include <set>
@@ -6,17 +6,14 @@
 #include "sylph_core/grid/components.hpp"
 #include "sylph_core/grid/distance_field.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
-
-using sylph::RobotCondition;
-using sylph::RobotExecution;
 
 [[noreturn]] void fail(const std::string& message) {
   throw MissionFailure(MissionOutcome::PlanRefused, "cannot plan the rest: " + message);
 }
 
-const RobotExecution& executionOf(const std::string& robot, const sylph::AdgState& cut) {
+const RobotExecution& executionOf(const std::string& robot, const AdgState& cut) {
   const auto found = std::find_if(cut.robots.begin(), cut.robots.end(),
                                   [&](const RobotExecution& r) { return r.robot == robot; });
   if (found == cut.robots.end()) {
@@ -26,13 +23,12 @@ const RobotExecution& executionOf(const std::string& robot, const sylph::AdgStat
 }
 
 /// The free cell of `label` nearest to `goal` by the way on the map without lost robots.
-sylph::Cell nearestCell(const sylph::Grid& map, const sylph::Grid& grid,
-                        const std::vector<int>& labels, int label, const sylph::Cell& goal,
-                        const std::set<sylph::Cell>& taken) {
-  const sylph::DistanceField distance(map, goal);
-  sylph::Cell best;
-  int best_distance = sylph::DistanceField::kUnreachable;
-  for (const sylph::Cell& cell : grid.freeCells()) {
+Cell nearestCell(const Grid& map, const Grid& grid, const std::vector<int>& labels, int label,
+                 const Cell& goal, const std::set<Cell>& taken) {
+  const DistanceField distance(map, goal);
+  Cell best;
+  int best_distance = DistanceField::kUnreachable;
+  for (const Cell& cell : grid.freeCells()) {
     const bool is_candidate =
         labels[static_cast<std::size_t>(grid.indexOf(cell))] == label && taken.count(cell) == 0;
     if (is_candidate && distance.at(cell) < best_distance) {
@@ -45,13 +41,13 @@ sylph::Cell nearestCell(const sylph::Grid& map, const sylph::Grid& grid,
 }
 
 /// Replaces the goals that cannot be reached any more.
-void adaptGoals(const sylph::Grid& map, RestOfMission& rest) {
-  sylph::Instance& instance = rest.instance;
-  const std::vector<int> labels = sylph::connectedComponents(instance.grid).label;
-  const auto labelOf = [&](const sylph::Cell& cell) {
+void adaptGoals(const Grid& map, RestOfMission& rest) {
+  Instance& instance = rest.instance;
+  const std::vector<int> labels = connectedComponents(instance.grid).label;
+  const auto labelOf = [&](const Cell& cell) {
     return labels[static_cast<std::size_t>(instance.grid.indexOf(cell))];
   };
-  std::set<sylph::Cell> taken;
+  std::set<Cell> taken;
   std::vector<std::size_t> without_goal;
   for (std::size_t i = 0; i < rest.robots.size(); ++i) {
     if (instance.grid.isFree(instance.goals[i]) &&
@@ -62,26 +58,26 @@ void adaptGoals(const sylph::Grid& map, RestOfMission& rest) {
     }
   }
   for (const std::size_t i : without_goal) {
-    const sylph::Cell wanted = instance.goals[i];
+    const Cell wanted = instance.goals[i];
     instance.goals[i] =
         nearestCell(map, instance.grid, labels, labelOf(instance.starts[i]), wanted, taken);
     taken.insert(instance.goals[i]);
-    rest.given_up.push_back(rest.robots[i] + " cannot reach " + sylph::toString(wanted) +
-                            " any more and goes to " + sylph::toString(instance.goals[i]));
+    rest.given_up.push_back(rest.robots[i] + " cannot reach " + toString(wanted) +
+                            " any more and goes to " + toString(instance.goals[i]));
   }
 }
 
 }  // namespace
 
-RestOfMission restOfMission(const Mission& mission, const sylph::AdgState& cut) {
+RestOfMission restOfMission(const Mission& mission, const AdgState& cut) {
   RestOfMission rest;
-  sylph::Instance& instance = rest.instance;
+  Instance& instance = rest.instance;
   instance.grid = mission.grid;
   instance.motion.rotations = false;
   for (std::size_t i = 0; i < mission.robots.size(); ++i) {
     const RobotExecution& robot = executionOf(mission.robots[i], cut);
     if (robot.condition == RobotCondition::Lost) {
-      for (const sylph::Cell& cell : robot.held_cells) {
+      for (const Cell& cell : robot.held_cells) {
         if (instance.grid.isInside(cell)) {
           instance.grid.setObstacle(cell);
         }
@@ -97,7 +93,7 @@ RestOfMission restOfMission(const Mission& mission, const sylph::AdgState& cut) 
   }
   for (std::size_t i = 0; i < rest.robots.size(); ++i) {
     if (!instance.grid.isFree(instance.starts[i])) {
-      fail(rest.robots[i] + " is reported in cell " + sylph::toString(instance.starts[i]) +
+      fail(rest.robots[i] + " is reported in cell " + toString(instance.starts[i]) +
            ", which is not free");
     }
   }
@@ -105,4 +101,4 @@ RestOfMission restOfMission(const Mission& mission, const sylph::AdgState& cut) 
   return rest;
 }
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

@@ -1,4 +1,4 @@
-#include "sylph_planner_node/start_cells.hpp"
+#include "sylph_core/mission/start_cells.hpp"
 
 #include <cmath>
 #include <iomanip>
@@ -7,7 +7,7 @@
 
 #include "sylph_core/grid/cell_frame.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
 
 [[noreturn]] void refuse(const std::string& message) {
@@ -23,9 +23,8 @@ std::string metres(double value) {
 /// Adds the robot's cell to `cells` and `owner`.
 /// @return why it has none that a plan can start from; empty: it has
 std::string reasonForNoCell(const Mission& mission, const std::string& robot,
-                            const RobotPoses& poses, const sylph::CellFrame& frame,
-                            std::map<sylph::Cell, std::string>& owner,
-                            sylph::Configuration& cells) {
+                            const RobotPoses& poses, const CellFrame& frame,
+                            std::map<Cell, std::string>& owner, Configuration& cells) {
   const auto measured = poses.find(robot);
   if (measured == poses.end()) {
     return "no pose of " + robot + " has come";
@@ -33,10 +32,10 @@ std::string reasonForNoCell(const Mission& mission, const std::string& robot,
   if (!measured->second.fault.empty()) {
     return "the pose of " + robot + " " + measured->second.fault;
   }
-  const sylph::Point position = sylph::position(measured->second.pose);
-  const sylph::Cell cell = frame.toCell(position);
+  const Point position = sylph::position(measured->second.pose);
+  const Cell cell = frame.toCell(position);
   const std::string where = robot + " at (" + metres(position.x) + ", " + metres(position.y) +
-                            ") m is in cell " + sylph::toString(cell);
+                            ") m is in cell " + toString(cell);
   if (!mission.grid.isInside(cell)) {
     return where + ", outside the map";
   }
@@ -53,10 +52,10 @@ std::string reasonForNoCell(const Mission& mission, const std::string& robot,
 
 }  // namespace
 
-sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses) {
-  const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
-  std::map<sylph::Cell, std::string> owner;
-  sylph::Configuration cells;
+Configuration startCells(const Mission& mission, const RobotPoses& poses) {
+  const CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
+  std::map<Cell, std::string> owner;
+  Configuration cells;
   std::string reasons;
   for (const std::string& robot : mission.robots) {
     const std::string reason = reasonForNoCell(mission, robot, poses, frame, owner, cells);
@@ -68,10 +67,10 @@ sylph::Configuration startCells(const Mission& mission, const RobotPoses& poses)
   return cells;
 }
 
-void requireBystandersSeen(const Mission& mission, const std::vector<sylph::RobotSpec>& lab,
+void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>& lab,
                            const RobotPoses& poses) {
   std::string unseen;
-  for (const sylph::RobotSpec& robot : lab) {
+  for (const RobotSpec& robot : lab) {
     const auto measured = poses.find(robot.name);
     const bool is_seen = measured != poses.end() && measured->second.fault.empty();
     if (mission.indexOf(robot.name) == mission.robots.size() && !is_seen) {
@@ -86,24 +85,23 @@ void requireBystandersSeen(const Mission& mission, const std::vector<sylph::Robo
   }
 }
 
-std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission,
-                                           const std::vector<sylph::RobotSpec>& lab,
-                                           const RobotPoses& poses) {
-  const sylph::CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
-  std::vector<sylph::Cell> cells;
-  for (const sylph::RobotSpec& robot : lab) {
+std::vector<Cell> cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
+                                    const RobotPoses& poses) {
+  const CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
+  std::vector<Cell> cells;
+  for (const RobotSpec& robot : lab) {
     const auto measured = poses.find(robot.name);
     if (mission.indexOf(robot.name) < mission.robots.size() || measured == poses.end() ||
         !measured->second.fault.empty()) {
       continue;
     }
-    const sylph::Pose2d& pose = measured->second.pose;
+    const Pose2d& pose = measured->second.pose;
     const double c = std::abs(std::cos(pose.yaw_rad));
     const double s = std::abs(std::sin(pose.yaw_rad));
     const double reach_x = (robot.length_m * c + robot.width_m * s) / 2.0;
     const double reach_y = (robot.length_m * s + robot.width_m * c) / 2.0;
-    const sylph::Cell top_left = frame.toCell({pose.x_m - reach_x, pose.y_m + reach_y});
-    const sylph::Cell bottom_right = frame.toCell({pose.x_m + reach_x, pose.y_m - reach_y});
+    const Cell top_left = frame.toCell({pose.x_m - reach_x, pose.y_m + reach_y});
+    const Cell bottom_right = frame.toCell({pose.x_m + reach_x, pose.y_m - reach_y});
     for (int row = top_left.row; row <= bottom_right.row; ++row) {
       for (int col = top_left.col; col <= bottom_right.col; ++col) {
         if (mission.grid.isInside({row, col})) {
@@ -115,4 +113,4 @@ std::vector<sylph::Cell> cellsOfBystanders(const Mission& mission,
   return cells;
 }
 
-}  // namespace sylph_planner_node
+}  // namespace sylph

@@ -1,21 +1,20 @@
-#include "sylph_planner_node/mission_lifecycle.hpp"
+#include "sylph_core/mission/mission_lifecycle.hpp"
 
 #include <algorithm>
 #include <cstdio>
 #include <exception>
 
-#include "sylph_planner_node/replanning.hpp"
+#include "sylph_core/mission/replanning.hpp"
 
-namespace sylph_planner_node {
+namespace sylph {
 namespace {
 
-using sylph::ExecutionPhase;
-using Level = command::Say::Level;
+using Level = mission_command::Say::Level;
 
-using PlanningFunction = CheckedPlan (*)(const Mission&, const sylph::Instance&);
+using PlanningFunction = CheckedPlan (*)(const Mission&, const Instance&);
 
-command::Plan planCommand(PlanningFunction plan, const Mission& mission,
-                          const sylph::Instance& instance) {
+mission_command::Plan planCommand(PlanningFunction plan, const Mission& mission,
+                                  const Instance& instance) {
   return {[plan, mission, instance]() -> PlanningOutcome {
     try {
       return plan(mission, instance);
@@ -68,7 +67,7 @@ void MissionLifecycle::fail(const MissionFailure& failure, double now_s) {
   finish(result, now_s);
 }
 
-void MissionLifecycle::onAdgState(sylph::AdgState state, double now_s) {
+void MissionLifecycle::onAdgState(AdgState state, double now_s) {
   state_ = std::move(state);
   state_received_s_ = now_s;
 }
@@ -208,12 +207,12 @@ void MissionLifecycle::tickPausing(double now_s) {
 }
 
 void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
-  const sylph::Configuration starts = startCells(mission_, poses);
+  const Configuration starts = startCells(mission_, poses);
   if (!limits_.ignores_unseen_robots) {
     requireBystandersSeen(mission_, lab_, poses);
   }
   bystanders_ = cellsOfBystanders(mission_, lab_, poses);
-  const sylph::Instance instance = toInstance(mission_, starts, bystanders_);
+  const Instance instance = toInstance(mission_, starts, bystanders_);
   planned_robots_ = mission_.robots;
   plan(planCommand(planMission, mission_, instance), now_s);
 }
@@ -221,7 +220,7 @@ void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
 void MissionLifecycle::startReplanning(double now_s) {
   Mission limited = mission_;
   limited.time_limit_s = std::min(limited.time_limit_s, limits_.replanning_time_limit_s);
-  for (const sylph::Cell& cell : bystanders_) {
+  for (const Cell& cell : bystanders_) {
     limited.grid.setObstacle(cell);
   }
   const RestOfMission rest = restOfMission(limited, *state_);
@@ -235,7 +234,7 @@ void MissionLifecycle::startReplanning(double now_s) {
   plan(planCommand(planAsFarAsPossible, limited, rest.instance), now_s);
 }
 
-void MissionLifecycle::plan(command::Plan command, double now_s) {
+void MissionLifecycle::plan(mission_command::Plan command, double now_s) {
   commands_.emplace_back(std::move(command));
   is_planning_ = true;
   enter(Stage::Planning, now_s);
@@ -253,23 +252,23 @@ void MissionLifecycle::send(const CheckedPlan& plan, double now_s) {
   say(Level::Info, "plan " + std::to_string(plan_id_) + " by " + mission_.planner + ": " +
                        std::to_string(plan.metrics.steps) + " steps, sum of costs " +
                        std::to_string(plan.metrics.sum_of_costs) + ", " + took);
-  sylph::MissionPlan mission_plan = toMissionPlan(plan, planned_robots_, mission_.planner);
+  MissionPlan mission_plan = toMissionPlan(plan, planned_robots_, mission_.planner);
   mission_plan.plan_id = plan_id_;
   mission_plan.replaces_plan_id = replaces_plan_id_;
-  commands_.emplace_back(command::Publish{std::move(mission_plan)});
+  commands_.emplace_back(mission_command::Publish{std::move(mission_plan)});
   has_published_ = true;
   sent_s_ = now_s;
   enter(Stage::Sending, now_s);
 }
 
 void MissionLifecycle::sendAgain(double now_s) {
-  commands_.emplace_back(command::PublishAgain{});
+  commands_.emplace_back(mission_command::PublishAgain{});
   sent_s_ = now_s;
 }
 
 void MissionLifecycle::follow(double now_s) {
   if (std::exchange(has_paused_, false)) {
-    commands_.emplace_back(command::Resume{});
+    commands_.emplace_back(mission_command::Resume{});
   }
   enter(Stage::Executing, now_s);
 }
@@ -279,7 +278,7 @@ void MissionLifecycle::pauseIfUnderWay() {
                             (stage_ == Stage::Planning && replaces_plan_id_ != 0);
   if (is_under_way) {
     has_paused_ = true;
-    commands_.emplace_back(command::Pause{});
+    commands_.emplace_back(mission_command::Pause{});
   }
 }
 
@@ -291,12 +290,12 @@ void MissionLifecycle::finish(MissionResult result, double now_s) {
   result.replans = totals_.replans;
   last_outcome_ = result.message;
   if (std::exchange(has_published_, false)) {
-    commands_.emplace_back(command::Withdraw{});
+    commands_.emplace_back(mission_command::Withdraw{});
   }
   const bool is_failure =
       result.outcome != MissionOutcome::Success && result.outcome != MissionOutcome::Preempted;
   say(is_failure ? Level::Error : Level::Info, "mission ends: " + result.message);
-  commands_.emplace_back(command::End{std::move(result)});
+  commands_.emplace_back(mission_command::End{std::move(result)});
   enter(Stage::Idle, now_s);
 }
 
@@ -307,7 +306,7 @@ void MissionLifecycle::enter(Stage stage, double now_s) {
 }
 
 void MissionLifecycle::say(Level level, const std::string& text) {
-  commands_.emplace_back(command::Say{level, text});
+  commands_.emplace_back(mission_command::Say{level, text});
 }
 
 bool MissionLifecycle::hasBeenSilent(double now_s) const {
@@ -323,7 +322,7 @@ MissionProgress MissionLifecycle::progress() const {
   } else if (stage_ == Stage::Executing && state_->phase == ExecutionPhase::Cutting) {
     phase = "cutting";
   }
-  MissionProgress progress = progressOf(phase, mission_, has_plan ? *state_ : sylph::AdgState());
+  MissionProgress progress = progressOf(phase, mission_, has_plan ? *state_ : AdgState());
   if (stage_ == Stage::Starting && !waits_for_.empty()) {
     progress.waiting.push_back(waits_for_);
   } else if (stage_ == Stage::Sending && state_ && state_->phase == ExecutionPhase::Pending &&
@@ -339,4 +338,4 @@ std::string toString(MissionLifecycle::Stage stage) {
   return kNames[static_cast<int>(stage)];
 }
 
-}  // namespace sylph_planner_node
+}  // namespace sylph
