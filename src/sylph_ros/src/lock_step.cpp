@@ -79,6 +79,7 @@ void LockStep::onTick(const sylph_msgs::LockStepTick& tick) {
     announce(tick);
     has_acted_ = false;
     pending_ = tick;
+    pending_since_ = heard_;
     onArrival();
   }
 }
@@ -101,11 +102,15 @@ void LockStep::onArrival() {
 }
 
 void LockStep::onWallTimer() {
+  if (pending_ && !has_acted_) {
+    onArrival();  // whose publisher is gone need not be waited for
+  }
   if (!pending_) {
     return;
   }
   if (!has_acted_) {
-    if (silence() > kPatience_s) {
+    // Not since the last tick: it is said again as long as there is no answer.
+    if ((ros::SteadyTime::now() - pending_since_).toSec() > kPatience_s) {
       ROS_DEBUG("lock step: a message was lost before tick %u", pending_->number);
       act();
     }

@@ -151,7 +151,7 @@ void LockStepHost::proceed() {
     callSecond(wall_s);
   }
   if (waiting_ == Waiting::ForSecond && roll_.hasAnswered() &&
-      (mailbox_.isComplete(hasPublisher) || wall_s - called_wall_s_ > kPatienceWall_s)) {
+      (mailbox_.isComplete(hasPublisher) || wall_s - asked_wall_s_ > kPatienceWall_s)) {
     endTick();
   }
   if (waiting_ == Waiting::ForTurn && (speed_ <= 0.0 || wall_s >= next_wall_s_)) {
@@ -183,7 +183,7 @@ void LockStepHost::beginTick(double wall_s) {
 void LockStepHost::callSecond(double wall_s) {
   addCounts(tick_, std::exchange(has_joined_, false));
   waiting_ = Waiting::ForSecond;
-  called_wall_s_ = wall_s;
+  called_wall_s_ = asked_wall_s_ = wall_s;
   roll_.call(Roll::Stage::Second, number_, wall_s);
   second_publisher_.publish(tick_);
 }

@@ -100,8 +100,9 @@ class LockStep {
   std::optional<sylph_msgs::LockStepTick> pending_;
   bool is_in_step_ = false;  ///< knows how many messages there are, and has missed no tick
   bool takes_all_ = false;   ///< whatever has come, in the pending tick
-  bool has_acted_ = false;   ///< on the pending one, and is held
-  std::uint32_t done_ = 0;   ///< number of the last tick acted upon
+  ros::SteadyTime pending_since_;
+  bool has_acted_ = false;  ///< on the pending one, and is held
+  std::uint32_t done_ = 0;  ///< number of the last tick acted upon
   sylph_msgs::LockStepDone last_answer_;
 
   std::function<void(std::int32_t)> take_frames_;

@@ -87,7 +87,8 @@ class LockStepHost {
   double began_wall_s_ = 0.0;   ///< waiting for the start
   double ready_since_s_ = 0.0;  ///< all are ready; 0: not all
   double told_wall_s_ = 0.0;
-  double called_wall_s_ = 0.0;
+  double called_wall_s_ = 0.0;  ///< for the last time
+  double asked_wall_s_ = 0.0;   ///< for the first time in this tick's second stage
   double next_wall_s_ = 0.0;
   double window_wall_s_ = 0.0;
   std::uint32_t window_number_ = 0;
