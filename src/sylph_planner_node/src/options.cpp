@@ -21,6 +21,9 @@ Options readOptions(sylph_ros::ParameterReader& reader) {
        "how long a cancelled mission waits for the robots to hold");
   read("replanning_time_limit_s", options.limits.replanning_time_limit_s,
        "wall time for planning around lost robots");
+  reader.read("search_steps_per_s", options.search_steps_per_s, sylph::Range::atLeast(0.0),
+              "so many steps of the search are a planner's second, so that a plan depends on its "
+              "seed and not on the machine; 0: wall time");
   reader.read("ignore_unseen_robots", options.limits.ignores_unseen_robots,
               "plan although a robot without part in the mission is not seen");
   sylph_ros::readDiagnosticPeriod(reader);

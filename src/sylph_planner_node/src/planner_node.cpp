@@ -3,6 +3,7 @@
 #include <chrono>
 #include <exception>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -63,7 +64,9 @@ void PlannerNode::onGoal() {
   carryOutCommands();
   const auto goal = server_.acceptNewGoal();
   try {
-    lifecycle_.begin(readMission(*goal, lab_, weights_), clock_.now());
+    sylph::Mission wanted = readMission(*goal, lab_, weights_);
+    wanted.search_steps_per_s = options_.search_steps_per_s;
+    lifecycle_.begin(std::move(wanted), clock_.now());
     const sylph::Mission& mission = lifecycle_.mission();
     map_ = toOccupancyGrid(mission.grid, mission.cell_size_m, mission.corner);
     publishMap();

@@ -1,9 +1,9 @@
 #include "sylph_core/mission/checked_plan.hpp"
 
-#include <chrono>
 #include <cmath>
 #include <exception>
 #include <limits>
+#include <memory>
 #include <optional>
 
 #include "sylph_core/grid/components.hpp"
@@ -17,16 +17,26 @@ struct TimedResult {
   double planning_s;
 };
 
+/// A search asks for the time once a step, and only in steps that it always takes: in one thread
+/// it is told the same each time it runs.
+Clock stepClock(double steps_per_s) {
+  return [steps_per_s, steps = std::make_shared<long>(0)] {
+    return static_cast<double>((*steps)++) / steps_per_s;
+  };
+}
+
 TimedResult runPlanner(const Mission& mission, const Instance& instance) {
   PlanningLimits limits;
   limits.time_limit_s = mission.time_limit_s;
+  if (mission.search_steps_per_s > 0.0) {
+    limits.clock = stepClock(mission.search_steps_per_s);
+  }
   Rng rng(mission.seed);
-  const auto begin = std::chrono::steady_clock::now();
+  const double begin_s = limits.clock();
   try {
     const auto planner = makePlanner(mission.planner, mission.policy);
     PlanningResult result = planner->plan(instance, limits, rng);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - begin;
-    return {std::move(result), took.count()};
+    return {std::move(result), limits.clock() - begin_s};
   } catch (const std::exception& error) {
     throw MissionFailure(MissionOutcome::NoPlan,
                          "planner " + mission.planner + " failed: " + error.what());

@@ -40,6 +40,19 @@ TEST(PlanMissionTest, ReachesAllGoalsAndKnowsTheSocialStateOfEachStep) {
   }
 }
 
+TEST(PlanMissionTest, LimitedBySearchStepsTheSamePlanIsMadeEachTime) {
+  Mission mission = smallMission();
+  mission.time_limit_s = 2.0;
+  mission.search_steps_per_s = 500.0;
+  const Instance instance = toInstance(mission, smallStarts(), {});
+  const CheckedPlan once = planMission(mission, instance);
+  const CheckedPlan again = planMission(mission, instance);
+  EXPECT_EQ(once.plan, again.plan);
+  EXPECT_EQ(once.planning_s, again.planning_s);
+  EXPECT_GT(once.planning_s, 0.0);
+  EXPECT_LT(once.planning_s, 1.1 * mission.time_limit_s);
+}
+
 TEST(PlanMissionTest, TellsWhenThereIsNoPlan) {
   Mission mission = smallMission();
   mission.grid = Grid::fromText("...\n");

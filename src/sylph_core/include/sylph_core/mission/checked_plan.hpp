@@ -17,7 +17,7 @@ struct CheckedPlan {
   Plan plan;                        ///< checked against `instance`
   std::vector<SocialState> social;  ///< one per joint action
   PlanMetrics metrics;              ///< of `plan`
-  double planning_s = 0.0;          ///< wall time [s]
+  double planning_s = 0.0;          ///< by the clock of the mission's time limit [s]
 };
 
 /// The plan as it goes to the central node; its ids are left to the caller.

@@ -45,7 +45,7 @@ struct MissionResult {
   std::uint32_t arrived = 0;       ///< robots on their goals
   std::uint32_t plan_steps = 0;    ///< joint actions of the last plan
   std::uint32_t sum_of_costs = 0;  ///< of that plan [timesteps]
-  double planning_s = 0.0;         ///< wall time, all plans together [s]
+  double planning_s = 0.0;         ///< all plans together, by the clock of their time limits [s]
   double execution_s = 0.0;        ///< from the first task to the last arrival [s]
   std::uint32_t replans = 0;       ///< plans around lost robots
 };
@@ -60,8 +60,11 @@ struct Mission {
   Configuration goals;                   ///< one per robot, free and distinct
   std::string planner;                   ///< its name, as makePlanner() knows it
   std::shared_ptr<const Policy> policy;  ///< for planners that need one
-  double time_limit_s = 0.0;             ///< wall time for a plan [s], > 0
-  std::uint32_t seed = 0;                ///< of the planner
+  double time_limit_s = 0.0;             ///< for a plan [s], > 0
+  /// So many steps of the planner's search are its second, so that a plan does not depend on how
+  /// fast a machine is; 0: seconds are those of the wall.
+  double search_steps_per_s = 0.0;
+  std::uint32_t seed = 0;  ///< of the planner
 
   /// Index of a robot, or robots.size() if it has no part in the mission.
   std::size_t indexOf(const std::string& robot) const {
