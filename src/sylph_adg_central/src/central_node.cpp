@@ -45,6 +45,12 @@ bool isTaken(const ros::NodeHandle& nh, const std::string& folder) {
   return taken == folder;
 }
 
+void tell(const std::vector<std::string>& lines) {
+  for (const std::string& line : lines) {
+    ROS_INFO("%s", line.c_str());
+  }
+}
+
 }  // namespace
 
 CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -61,6 +67,7 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       log_(folder_.eventLog(), names_),
       execution_(names_, experiment_.grid.rows(), experiment_.grid.cols(), experiment_.cell_size_m,
                  options_.limits, experiment_.corner),
+      trouble_(names_),
       diagnostics_(nh, private_nh) {
   ROS_INFO("%s", margin_.summary().c_str());
   ROS_INFO("run folder: %s", folder_.path().c_str());
@@ -78,6 +85,7 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
 }
 
 CentralNode::~CentralNode() {
+  tell(trouble_.takeAll(clock_.now()));
   if (is_result_due_) {
     try {
       saveResult();
@@ -259,6 +267,7 @@ bool CentralNode::setMode(ExecutionMode mode, std_srvs::Trigger::Response& respo
 void CentralNode::onTimer() {
   execution_.tick(clock_.now());
   flush();
+  tell(trouble_.takeSettled(clock_.now()));
   if (clock_.now() - state_sent_s_ >= options_.heartbeat_period_s / 2.0) {
     publishState();
   }
@@ -274,15 +283,17 @@ struct CentralNode::Follow {
     sylph::savePlan(started.plan->plan, node.folder_.plan());
     ROS_INFO("plan %u of %zu robots and %u steps is carried out", started.plan->plan_id,
              started.plan->robots.size(), started.plan->steps());
+    for (int robot = 0; robot < node.execution_.robotCount(); ++robot) {
+      const sylph::RobotMonitor& monitor = node.execution_.monitor(robot);
+      node.tellCondition(robot, monitor.condition(), monitor.trouble(node.clock_.now()));
+    }
   }
   void operator()(const sylph::event::Refused& refused) const {
     ROS_ERROR("refused: %s", refused.reason.c_str());
     node.saveResult();
   }
   void operator()(const sylph::event::Condition& event) const {
-    ROS_WARN("%s is %s%s%s", node.execution_.name(event.robot).c_str(),
-             toString(event.condition).c_str(), event.reason.empty() ? "" : ": ",
-             event.reason.c_str());
+    node.tellCondition(event.robot, event.condition, event.reason);
   }
   void operator()(const sylph::event::Lost& lost) const {
     ROS_WARN("%s is lost: %s", node.execution_.name(lost.robot).c_str(), lost.reason.c_str());
@@ -292,6 +303,7 @@ struct CentralNode::Follow {
   }
   void operator()(const sylph::event::Phase& phase) const {
     if (phase.phase == sylph::ExecutionPhase::Finished) {
+      tell(node.trouble_.takeAll(node.clock_.now()));
       node.saveResult();
     }
   }
@@ -324,6 +336,17 @@ void CentralNode::flush() {
   }
   if (has_changed_ && clock_.now() - state_sent_s_ >= kShortestStatePeriod) {
     publishState();
+  }
+}
+
+void CentralNode::tellCondition(int robot, sylph::RobotCondition condition,
+                                const std::string& reason) {
+  // Before a mission robots wait for their first poses, and after it all goes down.
+  const bool matters = is_result_due_ && condition != sylph::RobotCondition::Lost;
+  const auto line =
+      trouble_.note(robot, matters ? condition : sylph::RobotCondition::Ok, reason, clock_.now());
+  if (line) {
+    ROS_WARN("%s", line->c_str());
   }
 }
 
