@@ -26,6 +26,7 @@ RobotController::RobotController(const RobotControllerOptions& options, const Gr
       frame_(frame),
       tasks_(grid),
       watch_(options.watch),
+      motion_(options.motion),
       predictor_(options.base),
       slip_(options.slip),
       follower_(options.follower),
@@ -66,7 +67,9 @@ PoseVerdict RobotController::onPose(const TimedPose& pose) {
   if (followed_plan_ == 0) {
     watch_.confirm();  // before its first task it does not drive: people put it where it is
   }
-  const PoseVerdict verdict = watch_.offer(pose, drivenUntil(pose));
+  const std::optional<TimedPose> seen = watch_.seen();
+  const Pose2d driven = drivenUntil(pose);
+  const PoseVerdict verdict = watch_.offer(pose, driven);
   predictor_.forgetBefore(watch_.seen() ? watch_.seen()->captured_s : pose.captured_s);
   if (verdict != PoseVerdict::Good || watch_.problem(pose.received_s)) {
     arrival_poses_ = 0;
@@ -74,6 +77,9 @@ PoseVerdict RobotController::onPose(const TimedPose& pose) {
   }
   const Twist2d twist_map =
       predictor_.predict(pose.pose, pose.captured_s, pose.captured_s).twist_map;
+  if (seen) {
+    watchMotion(*seen, pose, driven);
+  }
   if (before) {
     learnSlip(*before, pose, twist_map);
   }
@@ -87,6 +93,19 @@ Pose2d RobotController::drivenUntil(const TimedPose& pose) const {
   }
   const TimedPose& seen = *watch_.seen();
   return predictor_.predict(seen.pose, seen.captured_s, pose.captured_s).pose;
+}
+
+void RobotController::watchMotion(const TimedPose& before, const TimedPose& now,
+                                  const Pose2d& driven) {
+  const double duration_s = now.captured_s - before.captured_s;
+  const bool is_driven = followed_plan_ != 0 && decision_.permission != Permission::Stop;
+  if (!is_driven || duration_s <= 0.0 || duration_s > options_.watch.timeout_s) {
+    motion_.pause();
+    return;
+  }
+  const Point from = position(before.pose);
+  motion_.offer(displacement(from, position(driven)), displacement(from, position(now.pose)),
+                duration_s);
 }
 
 void RobotController::learnSlip(const TimedPose& before, const TimedPose& now,
@@ -119,6 +138,7 @@ void RobotController::detectArrival(const Pose2d& pose, const Twist2d& twist_map
 void RobotController::onCentralState(ExecutionMode mode, double now_s) {
   if (mode_ == ExecutionMode::Stop && mode == ExecutionMode::Run) {
     watch_.confirm();  // the operator has resumed
+    motion_.confirm();
   }
   mode_ = mode;
   central_heard_s_ = now_s;
@@ -146,6 +166,7 @@ Whereabouts RobotController::whereabouts(double now_s) const {
 RobotSituation RobotController::situation(double now_s) const {
   RobotSituation situation;
   situation.pose_problem = watch_.problem(now_s);
+  situation.motion_problem = motion_.problem();
   situation.has_task = !tasks_.isIdle();
   situation.has_finished_last_task = finish_waypoint_ && reachedWaypoint() >= *finish_waypoint_;
   if (central_heard_s_) {
@@ -190,8 +211,13 @@ Twist2d RobotController::update(double now_s) {
   const TimedPose& pose = *watch_.last();
   const MotionState state =
       predictor_.predict(pose.pose, pose.captured_s, now_s + options_.base.latency_s);
-  const Twist2d wanted =
+  Twist2d wanted =
       follower_.update(state, reachedWaypoint(), lastWaypoint(decision_.permission), step_s);
+  if (const double wanted_mps = speed(wanted);
+      motion_.isUnanswered() && wanted_mps > options_.motion.creep_mps) {
+    wanted.x_mps *= options_.motion.creep_mps / wanted_mps;
+    wanted.y_mps *= options_.motion.creep_mps / wanted_mps;
+  }
   return noteCommand(limiter_.limit(wanted, step_s), now_s);
 }
 

@@ -31,6 +31,9 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
   if (situation.mode == ExecutionMode::Stop) {
     return stop(situation, "stopped by the central node");
   }
+  if (situation.motion_problem) {
+    return stop(situation, *situation.motion_problem);
+  }
   if (situation.is_displaced) {
     return stop(situation, "outside the cells of its task: put it back");
   }

@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -76,8 +77,9 @@ class World {
   Grid grid;
   CellFrame frame;
   RobotController controller;
-  Pose2d pose;           // true
-  Pose2d camera_offset;  // added to what the cameras tell
+  Pose2d pose;                       // true
+  Pose2d camera_offset;              // added to what the cameras tell
+  std::optional<Pose2d> other_body;  // whose pose they tell instead
   Twist2d command_robot;
   double grip = 1.0;  // share of the wheels' motion that reaches the floor
   ExecutionMode mode = ExecutionMode::Run;
@@ -94,8 +96,9 @@ class World {
     }
     if (node_runs && cameras_send) {
       const double noise_m = 1e-4 * drawNormal(rng_);
-      controller.onPose({{pose.x_m + camera_offset.x_m + noise_m, pose.y_m + camera_offset.y_m,
-                          pose.yaw_rad + camera_offset.yaw_rad},
+      const Pose2d& body = other_body ? *other_body : pose;
+      controller.onPose({{body.x_m + camera_offset.x_m + noise_m, body.y_m + camera_offset.y_m,
+                          body.yaw_rad + camera_offset.yaw_rad},
                          now_s,
                          now_s,
                          now_s});
@@ -348,6 +351,78 @@ TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
   EXPECT_NEAR(0.75, world.pose.y_m, 0.005);
   world.camera_offset.y_m = 0.0;
   world.run(5.0);
+  EXPECT_EQ(4, world.report().done);
+}
+
+TEST(RobotControllerTest, ABodyWithTurnedAxesStopsItSoon) {
+  World world({2, 1});
+  world.run(0.2);
+  for (int k = 0; k < 3; ++k) {
+    world.controller.onTask({1, k, {2, k + 1}, {2, k + 2}}, world.now_s);
+  }
+  world.grip = -1.0;
+  world.run(5.0);
+  EXPECT_NE(std::string::npos, world.report().detail.find("exchanged or turned"))
+      << world.report().detail;
+  EXPECT_EQ(RobotState::Holding, world.report().state);
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  EXPECT_LT(std::abs(world.x() - 0.45), 0.067);  // what lies between two robots in the lab
+}
+
+TEST(RobotControllerTest, ARobotWithTheBodyOfOneThatStandsIsSoonDrivenNoMore) {
+  World world({4, 4});
+  world.other_body = Pose2d{0.15, 0.75, 0.0};  // in (2,0)
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(12.0);
+  EXPECT_NE(std::string::npos, world.report().detail.find("bodies exchanged"))
+      << world.report().detail;
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  EXPECT_LT(world.x() - 1.35, 0.15);  // 3.1 m, if nobody looks
+}
+
+TEST(RobotControllerTest, APoseThatSlidesAwayIsNotFollowed) {
+  for (const double slide_mps : {0.1, 0.3}) {
+    SCOPED_TRACE(slide_mps);
+    World world({2, 0});
+    world.run(0.2);
+    world.sendEastward(1);
+    world.run(4.0);
+    ASSERT_EQ(1, world.report().done);
+    for (double slid_m = 0.0; slid_m < 0.12; slid_m += 0.01 * slide_mps) {
+      world.camera_offset.y_m = slid_m;
+      world.run(0.01);
+    }
+    world.run(3.0);
+    EXPECT_NE(std::string::npos, world.report().detail.find("otherwise than it is driven"))
+        << world.report().detail;
+    EXPECT_NEAR(0.75, world.pose.y_m, 0.067);
+  }
+}
+
+TEST(RobotControllerTest, ABaseThatIsStuckForThreeSecondsGoesOnByItself) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(1.0);
+  world.grip = 0.0;
+  world.run(3.0);
+  world.grip = 1.0;
+  world.run(8.0);
+  EXPECT_EQ(4, world.report().done);
+}
+
+TEST(RobotControllerTest, ABaseThatNeverAnswersIsCommandedNoMore) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.grip = 0.0;
+  world.run(6.0);
+  EXPECT_NE(std::string::npos, world.report().detail.find("base dead")) << world.report().detail;
+  EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+  world.grip = 1.0;
+  world.stopAndResume();
+  world.run(8.0);
   EXPECT_EQ(4, world.report().done);
 }
 

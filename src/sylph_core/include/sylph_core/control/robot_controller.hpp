@@ -4,6 +4,7 @@
 #include <string>
 
 #include "sylph_core/control/arrival.hpp"
+#include "sylph_core/control/motion_watch.hpp"
 #include "sylph_core/control/path_follower.hpp"
 #include "sylph_core/control/pose_predictor.hpp"
 #include "sylph_core/control/pose_watch.hpp"
@@ -28,6 +29,7 @@ struct RobotControllerOptions {
   FollowerOptions follower;
   ArrivalOptions arrival;
   PoseWatchOptions watch;
+  MotionWatchOptions motion;
   SupervisorLimits supervisor;
 };
 
@@ -63,6 +65,8 @@ class RobotController {
   void followTasks();
   /// Where its commands lead the robot from where it was seen last until the capture of `pose`.
   Pose2d drivenUntil(const TimedPose& pose) const;
+  /// Compares what was measured since `before` with what was commanded.
+  void watchMotion(const TimedPose& before, const TimedPose& now, const Pose2d& driven);
   void learnSlip(const TimedPose& before, const TimedPose& now, const Twist2d& model_map);
   void detectArrival(const Pose2d& pose, const Twist2d& twist_map);
   int lastWaypoint(Permission permission);
@@ -75,6 +79,7 @@ class RobotController {
   CellFrame frame_;
   TaskQueue tasks_;
   PoseWatch watch_;
+  MotionWatch motion_;
   PosePredictor predictor_;
   SlipEstimator slip_;
   PathFollower follower_;

@@ -16,7 +16,8 @@ enum class Permission {
 
 /// Everything that decides whether a robot may move.
 struct RobotSituation {
-  std::optional<std::string> pose_problem;  ///< why the pose is not trusted
+  std::optional<std::string> pose_problem;    ///< why the pose is not trusted
+  std::optional<std::string> motion_problem;  ///< why it is not believed to be this robot's
   bool has_task = false;
   bool has_finished_last_task = false;      ///< since the central node fell silent
   std::optional<double> central_silence_s;  ///< since the last AdgState; nothing before the first
