@@ -7,7 +7,6 @@
 #include "sylph_core/adg/explanation.hpp"
 #include "sylph_core/experiment/experiment_control.hpp"
 #include "sylph_core/experiment/experiment_margin.hpp"
-#include "sylph_core/planners/planner.hpp"
 
 namespace sylph_rehearsal {
 namespace {
@@ -71,11 +70,13 @@ Lab::Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
                [this](bool is_pressed, const std::string& reason) {
                  onEmergencyStop(is_pressed, reason);
                }),
-      planner_(experiment_, sylph::makePlanner(experiment_.planning.planner, policy),
-               options.planning_s, queue_,
-               [this](const sylph::MissionPlan& plan) {
-                 to_central_.send([this, plan] { central_.onPlan(plan); });
-               }),
+      planner_(experiment_, policy, options.planning_s, queue_,
+               {[this](const sylph::MissionPlan& plan) {
+                  to_central_.send([this, plan] { central_.onPlan(plan); });
+                },
+                [this](sylph::ExecutionMode mode) {
+                  to_central_.send([this, mode] { central_.setMode(mode, "by the planner"); });
+                }}),
       oracle_(experiment_),
       faults_(faults),
       progress_s_(kStart_s),

@@ -1,172 +1,147 @@
 #include "mission_planner.hpp"
 
 #include <algorithm>
-#include <exception>
+#include <cstdio>
+#include <stdexcept>
+#include <utility>
+#include <variant>
 
-#include "sylph_core/grid/rng.hpp"
+#include "sylph_core/planners/planner.hpp"
 
 namespace sylph_rehearsal {
 namespace {
 
-constexpr double kPeriod_s = 0.1;
-constexpr double kResendPeriod_s = 1.0;
+/// As the planner's node has them by default [s].
+constexpr double kTickPeriod_s = 0.05;
+constexpr double kPoseTimeout_s = 0.5;
+/// A search that has found nothing after so many steps has failed: a mission ends in any case.
+constexpr double kSearchSteps = 5000.0;
 
-/// What a planner may spend: steps of its search and never wall time, so that the plan depends on
-/// the seed alone.
-sylph::PlanningLimits deterministicLimits() {
-  sylph::PlanningLimits limits;
-  limits.first_solution_only = true;
-  limits.social_states = false;
-  limits.clock = [] { return 0.0; };
-  return limits;
+sylph::Mission missionOf(const sylph::Experiment& experiment,
+                         std::shared_ptr<const sylph::Policy> policy) {
+  // Throws if there is no such planner, or it lacks a policy.
+  sylph::makePlanner(experiment.planning.planner, policy);
+  sylph::Mission mission;
+  mission.map_path = experiment.map_path;
+  mission.grid = experiment.grid;
+  mission.cell_size_m = experiment.cell_size_m;
+  mission.corner = experiment.corner;
+  for (const sylph::RobotSpec& robot : experiment.robots) {
+    mission.robots.push_back(robot.name);
+    mission.goals.push_back(robot.goal);
+  }
+  mission.planner = experiment.planning.planner;
+  mission.policy = std::move(policy);
+  mission.time_limit_s = experiment.planning.time_limit_s;
+  mission.seed = experiment.seed;
+  // Never by the wall: the plan depends on the seed alone.
+  mission.search_steps_per_s = kSearchSteps / mission.time_limit_s;
+  mission.first_solution_only = true;
+  return mission;
 }
 
 }  // namespace
 
 MissionPlanner::MissionPlanner(const sylph::Experiment& experiment,
-                               std::unique_ptr<sylph::Planner> planner, double planning_s,
-                               EventQueue& queue, PlanPort send)
+                               std::shared_ptr<const sylph::Policy> policy, double planning_s,
+                               EventQueue& queue, Ports ports)
     : experiment_(&experiment),
-      frame_(sylph::cellFrameOf(experiment)),
-      planner_(std::move(planner)),
+      mission_(missionOf(experiment, std::move(policy))),
       planning_s_(planning_s),
       queue_(&queue),
-      send_(std::move(send)),
+      ports_(std::move(ports)),
       poses_(experiment.robots.size()) {}
 
 void MissionPlanner::start() {
-  if (is_up_) {
+  if (lifecycle_) {
     return;
   }
-  is_up_ = true;
-  stage_ = Stage::Starting;
-  state_.reset();
+  lifecycle_.emplace(experiment_->robots, sylph::MissionLimits(), "adg_state");
   std::fill(poses_.begin(), poses_.end(), std::nullopt);
-  plan_ = {};
+  lifecycle_->begin(mission_, queue_->now());
   tick(++life_);
 }
 
 void MissionPlanner::crash() {
-  is_up_ = false;
+  lifecycle_.reset();
+  plan_.reset();
   ++life_;
 }
 
 void MissionPlanner::sendAgain() {
-  if (is_up_ && plan_.plan_id != 0 && stage_ != Stage::Planning) {
-    send();
+  if (plan_) {
+    ports_.plan(*plan_);
   }
 }
 
 void MissionPlanner::onState(const sylph::AdgState& state) {
-  if (is_up_) {
-    state_ = state;
+  if (lifecycle_) {
+    lifecycle_->onAdgState(state, queue_->now());
   }
 }
 
 void MissionPlanner::onPose(std::size_t robot, const sylph::Pose2d& pose) {
-  if (is_up_) {
-    poses_[robot] = pose;
+  if (lifecycle_) {
+    poses_[robot] = {pose, queue_->now()};
   }
 }
 
 void MissionPlanner::tick(int life) {
-  if (life != life_ || stage_ == Stage::Over) {
+  if (life != life_) {
     return;
   }
-  if (state_) {
-    act();
-  }
-  queue_->after(kPeriod_s, [this, life] { tick(life); });
+  lifecycle_->tick(poses(), queue_->now());
+  carryOutCommands();
+  queue_->after(kTickPeriod_s, [this, life] { tick(life); });
 }
 
-void MissionPlanner::act() {
-  const bool is_of_plan = state_->plan_id == plan_.plan_id;
-  switch (stage_) {
-    case Stage::Starting:
-      if (isUnderWay()) {
-        plan_.plan_id = state_->plan_id;
-        stage_ = Stage::Executing;
-      } else if (std::all_of(poses_.begin(), poses_.end(),
-                             [](const auto& pose) { return pose.has_value(); })) {
-        plan();
-      }
-      return;
-    case Stage::Sending:
-      if (is_of_plan && state_->phase == sylph::ExecutionPhase::Refused) {
-        failure_ = state_->message;
-        stage_ = Stage::Over;
-      } else if (is_of_plan && state_->phase != sylph::ExecutionPhase::Pending) {
-        stage_ = Stage::Executing;
-      } else if (queue_->now() - sent_s_ >= kResendPeriod_s) {
-        send();
-      }
-      return;
-    case Stage::Executing:
-      if (is_of_plan && state_->phase == sylph::ExecutionPhase::Refused) {
-        failure_ = state_->message;
-        stage_ = Stage::Over;
-      } else if (state_->plan_id < plan_.plan_id && !plan_.plan.empty()) {
-        send();  // the central node has lost it
-        stage_ = Stage::Sending;
-      }
-      return;
-    case Stage::Planning:
-    case Stage::Over:
-      return;
-  }
-}
-
-bool MissionPlanner::isUnderWay() const {
-  using Phase = sylph::ExecutionPhase;
-  if (state_->plan_id == 0 || state_->phase == Phase::Idle || state_->phase == Phase::Refused ||
-      state_->phase == Phase::Pending) {
-    return false;
-  }
-  for (std::size_t robot = 0; robot < state_->robots.size(); ++robot) {
-    if (state_->robots[robot].goal != experiment_->robots[robot].goal) {
-      return false;
-    }
-  }
-  return true;
-}
-
-void MissionPlanner::plan() {
-  sylph::Instance instance = toInstance(*experiment_);
+sylph::RobotPoses MissionPlanner::poses() const {
+  sylph::RobotPoses poses;
   for (std::size_t robot = 0; robot < poses_.size(); ++robot) {
-    instance.starts[robot] = frame_.toCell(sylph::position(*poses_[robot]));
-  }
-  sylph::Rng rng(experiment_->seed);
-  try {
-    sylph::requireValid(instance);
-    const sylph::PlanningResult result = planner_->plan(instance, deterministicLimits(), rng);
-    if (result.outcome != sylph::Outcome::Solved) {
-      throw std::runtime_error("planner " + planner_->name() +
-                               " found no plan: " + toString(result.outcome));
+    if (const auto& seen = poses_[robot]) {
+      const bool is_old = queue_->now() - seen->received_s > kPoseTimeout_s;
+      poses[mission_.robots[robot]] = {seen->pose, is_old ? "has not come lately" : ""};
     }
-    plan_.plan = result.plan;
-  } catch (const std::exception& error) {
-    failure_ = error.what();
-    stage_ = Stage::Over;
-    return;
   }
-  plan_.plan_id = std::max(state_->plan_id, state_->last_plan_id) + 1;
-  plan_.planner = planner_->name();
-  plan_.planning_s = planning_s_;
-  plan_.goals = instance.goals;
-  plan_.robots = namesOf(*experiment_);
-  plan_.social.resize(plan_.steps());
-  stage_ = Stage::Planning;
-  queue_->after(planning_s_, [this, life = life_] {
+  return poses;
+}
+
+void MissionPlanner::carryOutCommands() {
+  for (const sylph::MissionCommand& command : lifecycle_->takeCommands()) {
+    std::visit([this](const auto& kind) { carryOut(kind); }, command);
+  }
+}
+
+void MissionPlanner::carryOut(const sylph::mission_command::Plan& command) {
+  sylph::PlanningOutcome outcome = command.make();
+  if (auto* plan = std::get_if<sylph::CheckedPlan>(&outcome)) {
+    plan->planning_s = planning_s_;
+  }
+  queue_->after(planning_s_, [this, outcome, life = life_] {
     if (life == life_) {
-      stage_ = Stage::Sending;
-      send();
+      lifecycle_->onPlanned(outcome, queue_->now());
+      carryOutCommands();
     }
   });
 }
 
-void MissionPlanner::send() {
-  sent_s_ = queue_->now();
-  send_(plan_);
+void MissionPlanner::carryOut(const sylph::mission_command::Publish& command) {
+  plan_ = command.plan;
+  sendAgain();
+}
+
+void MissionPlanner::carryOut(const sylph::mission_command::Pause& /*command*/) {
+  ports_.mode(sylph::ExecutionMode::Pause);
+}
+
+void MissionPlanner::carryOut(const sylph::mission_command::Resume& /*command*/) {
+  ports_.mode(sylph::ExecutionMode::Run);
+}
+
+void MissionPlanner::carryOut(const sylph::mission_command::End& command) {
+  if (command.result.outcome != sylph::MissionOutcome::Success) {
+    failure_ = command.result.message;
+  }
 }
 
 }  // namespace sylph_rehearsal

@@ -88,14 +88,21 @@ TEST(FaultedRehearsalTest, StopsWithACauseAfterWhatDoesNot) {
         std::pair{simulated(FaultKind::YawFlip, {0}, 4.0, kForGood), "robot_0: no good pose"},
         std::pair{faultOf(LabFaultKind::CrashRobot, {0}, 4.0, kForGood), "robot_0: no report"},
         std::pair{faultOf(LabFaultKind::CrashCentral, {}, 4.0, kForGood),
-                  "the central node is down"},
+                  "the central node is silent"},
         std::pair{faultOf(LabFaultKind::Stop, {}, 4.0, kForGood), "stop: by the operator"},
-        std::pair{faultOf(LabFaultKind::DeclareLost, {0}, 4.0, kForGood), "robot_0: lost"}}) {
+        std::pair{faultOf(LabFaultKind::DeclareLost, {0}, 4.0, kForGood), "robot_0 is lost"}}) {
     SCOPED_TRACE(toName(fault));
     const Rehearsal run = rehearse(labExperiment("lab_room", 3), {}, nullptr, {fault});
     EXPECT_EQ(Ending::Stopped, run.ending);
     EXPECT_NE(std::string::npos, run.cause.find(cause)) << run.cause;
   }
+}
+
+TEST(FaultedRehearsalTest, PlansTheRestAnewAroundALostRobot) {
+  const Rehearsal run = rehearse(labExperiment("lab_room", 3), {}, nullptr,
+                                 {faultOf(LabFaultKind::DeclareLost, {0}, 4.0, kForGood)});
+  EXPECT_EQ(1u, run.result.replans);
+  EXPECT_EQ(7, run.result.arrived);
 }
 
 TEST(FaultedRehearsalTest, TheSameFaultsGiveTheSameEventLog) {
@@ -109,10 +116,10 @@ TEST(FaultedRehearsalTest, TheSameFaultsGiveTheSameEventLog) {
 
 TEST(RehearsalTest, NamesWhyThereIsNoPlan) {
   sylph::Experiment experiment = labExperiment("lab_room", 1);
-  experiment.robots[1].goal = experiment.robots[0].goal;
+  experiment.grid.setObstacle(experiment.robots[1].goal);
   const Rehearsal run = rehearse(experiment, {}, nullptr);
   EXPECT_EQ(Ending::Stopped, run.ending);
-  EXPECT_NE(std::string::npos, run.cause.find("goal")) << run.cause;
+  EXPECT_NE(std::string::npos, run.cause.find("of robot_1 cannot be reached")) << run.cause;
 }
 
 TEST(RehearsalTest, NamesTheOptionThatIsOutOfItsBounds) {

@@ -28,6 +28,7 @@ Clock stepClock(double steps_per_s) {
 TimedResult runPlanner(const Mission& mission, const Instance& instance) {
   PlanningLimits limits;
   limits.time_limit_s = mission.time_limit_s;
+  limits.first_solution_only = mission.first_solution_only;
   if (mission.search_steps_per_s > 0.0) {
     limits.clock = stepClock(mission.search_steps_per_s);
   }

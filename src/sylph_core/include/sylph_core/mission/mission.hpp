@@ -64,7 +64,8 @@ struct Mission {
   /// So many steps of the planner's search are its second, so that a plan does not depend on how
   /// fast a machine is; 0: seconds are those of the wall.
   double search_steps_per_s = 0.0;
-  std::uint32_t seed = 0;  ///< of the planner
+  bool first_solution_only = false;  ///< no improvement
+  std::uint32_t seed = 0;            ///< of the planner
 
   /// Index of a robot, or robots.size() if it has no part in the mission.
   std::size_t indexOf(const std::string& robot) const {
