@@ -22,6 +22,11 @@ SeparationMonitorOptions readSeparationMonitorOptions(sylph_ros::ParameterReader
               "margin promises, which it may not exceed");
   reader.read("confirmations", options.limits.confirmations, {1.0, 100.0},
               "poses of a robot in a row that have to show it");
+  reader.read("stop_response_s", options.limits.stop_response_s, {0.0, 1.0},
+              "of a robot that is told to stop, besides the experiment's command_latency_s: its "
+              "control period and its base's lag");
+  reader.read("stop_deceleration_mps2", options.limits.stop_deceleration_mps2, {0.01, 100.0},
+              "of a robot that is told to stop, as its node has it");
   reader.read("rate_hz", options.rate_hz, sylph::Range::positive(),
               "how often the state is published");
   reader.read("pose_timeout_s", options.pose_timeout_s, sylph::Range::positive(),
@@ -43,6 +48,8 @@ SeparationMonitorOptions loadSeparationMonitorOptions(const ros::NodeHandle& pri
   }
   sylph::SeparationLimits limits = sylph::separationLimits(experiment);
   limits.confirmations = options.limits.confirmations;
+  limits.stop_response_s = options.limits.stop_response_s;
+  limits.stop_deceleration_mps2 = options.limits.stop_deceleration_mps2;
   if (options.limits.limit_m > 0.0) {
     limits.limit_m = options.limits.limit_m;
   }

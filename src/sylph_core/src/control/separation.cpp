@@ -99,8 +99,10 @@ Footprint SeparationWatch::whereItStops(const Track& track) const {
   }
   const Vector2 velocity_mps =
       1.0 / duration_s * displacement(position(first.pose), position(last.pose));
-  const double time_s =
-      limits_.command_latency_s + norm(velocity_mps) / (2.0 * limits_.acceleration_limit_mps2);
+  const double pose_period_s = duration_s / static_cast<double>(track.samples.size() - 1);
+  const double time_s = limits_.command_latency_s + limits_.stop_response_s +
+                        limits_.confirmations * pose_period_s +
+                        norm(velocity_mps) / (2.0 * limits_.stop_deceleration_mps2);
   stopped.center = stopped.center + time_s * velocity_mps;
   return stopped;
 }

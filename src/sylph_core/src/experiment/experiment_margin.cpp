@@ -62,7 +62,6 @@ SeparationLimits separationLimits(const Experiment& experiment) {
   // Robots that keep to their tolerances come as close as the margin says.
   limits.limit_m = requireSafetyMargin(experiment).promisedSeparation() / 2.0;
   limits.command_latency_s = experiment.execution.command_latency_s;
-  limits.acceleration_limit_mps2 = experiment.execution.acceleration_limit_mps2;
   return limits;
 }
 

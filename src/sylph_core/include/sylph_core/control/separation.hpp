@@ -12,10 +12,11 @@ namespace sylph {
 
 /// When robots are too close.
 struct SeparationLimits {
-  double limit_m = 0.005;                ///< smallest gap between footprints that is right, >= 0
-  double command_latency_s = 0.05;       ///< until a stop takes effect, >= 0
-  double acceleration_limit_mps2 = 0.6;  ///< of a robot that stops, > 0
-  int confirmations = 3;                 ///< poses in a row that have to agree, > 0
+  double limit_m = 0.005;               ///< smallest gap between footprints that is right, >= 0
+  double command_latency_s = 0.05;      ///< from capture to a moving wheel, >= 0
+  double stop_response_s = 0.1;         ///< of a robot's control period and its base's lag, >= 0
+  double stop_deceleration_mps2 = 1.0;  ///< of a robot that stops, > 0
+  int confirmations = 3;                ///< poses in a row that have to agree, > 0
 };
 
 /// Two robots, by index, and the gap between their footprints.
@@ -28,8 +29,9 @@ struct PairGap {
 /// Watches the gaps between robots by their measured poses, knowing nothing of plans and tasks.
 ///
 /// Robots are too close if the gap is below the limit, or if their footprints would touch although
-/// both stopped now: after the latency and the way for braking, v t + v^2 / 2a, along their
-/// velocities. So many poses in a row have to show it that a single bad one stops nobody.
+/// both were stopped now: after the way v t + v^2 / 2a along their velocities, where t is the
+/// latency, the response and the time in which poses confirm it, measured from their stamps. So
+/// many poses in a row have to show it that a single bad one stops nobody.
 class SeparationWatch {
  public:
   /// @param sizes  length and width of each robot; where they are does not matter
