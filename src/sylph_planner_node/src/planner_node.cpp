@@ -71,6 +71,7 @@ void PlannerNode::onGoal() {
     map_ = toOccupancyGrid(mission.grid, mission.cell_size_m, mission.corner);
     publishMap();
     poses_.start(namesOf(lab_));
+    feedback_sent_s_ = clock_.now();  // before there is anything to tell
     if (server_.isPreemptRequested()) {
       onPreempt();
     }
