@@ -1,6 +1,7 @@
 #include "sylph_sim/lock_step_host.hpp"
 
 #include <ros/console.h>
+#include <ros/single_subscriber_publisher.h>
 #include <ros/topic_manager.h>
 #include <ros/transport_hints.h>
 
@@ -52,16 +53,24 @@ LockStepHost::LockStepHost(ros::NodeHandle suite_nh, const LockStepOptions& opti
       told_wall_s_(wallNow()) {
   tick_.start = start;
   tick_.now = start;
-  first_publisher_ =
-      suite_nh.advertise<sylph_msgs::LockStepTick>(sylph_ros::kLockStepFirstTopic, kQueue);
-  second_publisher_ =
-      suite_nh.advertise<sylph_msgs::LockStepTick>(sylph_ros::kLockStepSecondTopic, kQueue);
+  first_publisher_ = advertise(suite_nh, sylph_ros::kLockStepFirstTopic);
+  second_publisher_ = advertise(suite_nh, sylph_ros::kLockStepSecondTopic);
   done_subscriber_ = suite_nh.subscribe<sylph_msgs::LockStepDone>(
       sylph_ros::kLockStepDoneTopic, kQueue,
       [this](const sylph_msgs::LockStepDone::ConstPtr& message) { onDone(*message); },
       ros::VoidConstPtr(), ros::TransportHints().tcpNoDelay());
   timer_ = suite_nh.createSteadyTimer(ros::WallDuration(kTimerPeriodWall_s),
                                       [this](const ros::SteadyTimerEvent&) { onTimer(); });
+}
+
+ros::Publisher LockStepHost::advertise(ros::NodeHandle& nh, const char* topic) {
+  return nh.advertise<sylph_msgs::LockStepTick>(topic, kQueue, ros::SubscriberStatusCallback(),
+                                                [this](const ros::SingleSubscriberPublisher& node) {
+                                                  // Its process has ended: that is heard at once,
+                                                  // and the lab is none that waits for it.
+                                                  roll_.leave(node.getSubscriberName());
+                                                  proceed();
+                                                });
 }
 
 std::shared_ptr<sylph_ros::Mailbox::Box> LockStepHost::open(const std::string& topic) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 #include <ros/callback_queue.h>
 #include <ros/init.h>
+#include <ros/this_node.h>
 
 #include <cstdint>
 #include <functional>
@@ -30,7 +31,7 @@ class LockStepHostTest : public testing::Test {
 
   void answer(std::uint32_t number) {
     for (const std::string& node : nodes_) {
-      if (node == "/silent" && number >= silent_from_) {
+      if (node != "/lively" && number >= silent_from_) {
         continue;
       }
       sylph_msgs::LockStepDone done;
@@ -79,6 +80,17 @@ TEST_F(LockStepHostTest, WaitsForEachNodeButNotForEver) {
   EXPECT_TRUE(host.silent().empty());
   ASSERT_TRUE(reaches(100));
   EXPECT_EQ(std::vector<std::string>{"/silent"}, host.silent());
+}
+
+TEST_F(LockStepHostTest, DoesNotWaitForANodeThatHasEnded) {
+  options_.silent_after_s = 1e3;
+  nodes_ = {ros::this_node::getName()};
+  silent_from_ = 5;
+  LockStepHost host(nh_, options_, nodes_, 0.0, ros::Time(100.0), [this] { return advance(); });
+  ASSERT_TRUE(reaches(5));
+  ticks_.shutdown();
+  ASSERT_TRUE(reaches(100));
+  EXPECT_TRUE(host.silent().empty());
 }
 
 TEST_F(LockStepHostTest, ACommandThatIsLostIsNotWaitedForForEver) {

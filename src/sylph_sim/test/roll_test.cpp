@@ -65,6 +65,17 @@ TEST_F(RollTest, TellsOfASilentNodeOnceAndGoesOnWithoutIt) {
   EXPECT_FALSE(roll_.hasAnswered());
 }
 
+TEST_F(RollTest, NobodyWaitsForANodeThatHasEnded) {
+  answer("/bridge", Stage::First, 0, 0.0);
+  answer("/robot", Stage::Second, 0, 0.0);
+  roll_.call(Stage::Second, 1, 0.0);
+  roll_.leave("/robot");
+  EXPECT_TRUE(roll_.hasAnswered());
+  EXPECT_EQ(Names{}, roll_.silent());
+  EXPECT_EQ(Names{"/robot"}, roll_.unready());
+  EXPECT_TRUE(roll_.note({"/robot", Stage::Second, 1, true, false}, 1.0).is_new);
+}
+
 TEST_F(RollTest, ABusyNodeIsWaitedForAsLongAsItSaysSo) {
   answer("/planner", Stage::Second, 0, 0.0);
   roll_.call(Stage::Second, 1, 0.0);

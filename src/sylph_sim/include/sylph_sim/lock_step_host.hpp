@@ -61,6 +61,7 @@ class LockStepHost {
  private:
   enum class Waiting { ForStart, ForTurn, ForFirst, ForSecond };
 
+  ros::Publisher advertise(ros::NodeHandle& nh, const char* topic);
   void onDone(const sylph_msgs::LockStepDone& done);
   void onTimer();
   void callRoll(double wall_s);

@@ -9,8 +9,8 @@ namespace sylph_sim {
 
 /// Who has to act before the lab goes on, and who has.
 ///
-/// Nodes are members from their first answer on. One that does not answer for too long is silent:
-/// the lab goes on without it until it answers again.
+/// Nodes are members from their first answer on until they end. One that does not answer for too
+/// long is silent: the lab goes on without it until it answers again.
 class Roll {
  public:
   /// When a member acts; StartOnly: it is waited for before the lab begins, and then never again.
@@ -35,6 +35,9 @@ class Roll {
   /// @param limit_s   without an answer for so long a member is silent [wall s]
   Roll(std::vector<std::string> expected, double limit_s)
       : expected_(std::move(expected)), limit_s_(limit_s) {}
+
+  /// A node has ended: nobody waits for it, until it is started again and answers.
+  void leave(const std::string& node) { members_.erase(node); }
 
   /// A tick has been sent to a stage.
   void call(Stage stage, std::uint32_t number, double wall_s);
