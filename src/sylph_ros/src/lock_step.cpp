@@ -66,14 +66,17 @@ std::shared_ptr<LockStep::Callback> LockStep::addTimer(double period_s, Callback
 
 void LockStep::onTick(const sylph_msgs::LockStepTick& tick) {
   heard_ = ros::SteadyTime::now();
-  if (tick.number == 0) {
+  if (stage_ == Stage::StartOnly && tick.number > 0) {
+    tick_subscriber_.shutdown();
+    wall_timer_.stop();
+  } else if (tick.number == 0) {
     start_ = tick.start;
     now_ = tick.now;
     announce(tick);
     answer(0, false);
   } else if (tick.number == done_ && !pending_) {
     done_publisher_.publish(last_answer_);  // the last one was missed
-  } else if (stage_ != Stage::StartOnly && !(pending_ && pending_->number == tick.number)) {
+  } else if (!(pending_ && pending_->number == tick.number)) {
     // Who has missed a tick takes what has come and waits for nothing, until told all counts.
     is_in_step_ = is_in_step_ && !pending_ && tick.number == done_ + 1;
     announce(tick);

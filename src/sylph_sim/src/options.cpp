@@ -42,6 +42,8 @@ void readLockStep(ParameterReader reader, LockStepOptions& lock_step) {
   const sylph::Range positive = sylph::Range::positive();
   reader.read("period_s", lock_step.period_s, positive,
               "lab time between two ticks; whole steps of the simulation");
+  reader.read("clock_period_s", lock_step.clock_period_s, positive,
+              "lab time between two `/clock` messages, by which only spectators go");
   reader.read("silent_after_s", lock_step.silent_after_s, positive,
               "wall time without an answer, after which the lab goes on without a node");
   reader.read("start_limit_s", lock_step.start_limit_s, positive,

@@ -99,7 +99,8 @@ SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
       simulation_(options_.simulation, experiment_, start_s_),
       server_(serverOptions(options_, is_in_lock_step_)),
       clock_period_s_(
-          std::max(options_.clock_period_s, target_speed_ / options_.clock_wall_rate_limit_hz)),
+          std::max(is_in_lock_step_ ? options_.lock_step.clock_period_s : options_.clock_period_s,
+                   target_speed_ / options_.clock_wall_rate_limit_hz)),
       next_clock_s_(start_s_),
       next_truth_s_(start_s_),
       diagnostics_(nh, private_nh) {

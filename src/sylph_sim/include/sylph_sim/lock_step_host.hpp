@@ -22,9 +22,10 @@ namespace sylph_sim {
 
 /// How the simulator waits for the lab's nodes.
 struct LockStepOptions {
-  double period_s = 0.01;       ///< of lab time, between two ticks
-  double silent_after_s = 2.0;  ///< wall time without an answer, after which a node is silent
-  double start_limit_s = 60.0;  ///< wall time that the lab waits for nodes before it begins
+  double period_s = 0.01;        ///< of lab time, between two ticks
+  double clock_period_s = 0.05;  ///< the same between two messages on /clock
+  double silent_after_s = 2.0;   ///< wall time without an answer, after which a node is silent
+  double start_limit_s = 60.0;   ///< wall time that the lab waits for nodes before it begins
 };
 
 /// The simulator's part in lock step, see LockStepTick.msg: lets lab time go on by one tick when
