@@ -216,7 +216,8 @@ void SimNode::publishClock(double time_s) {
   rosgraph_msgs::Clock message;
   message.clock.fromSec(time_s);
   clock_publisher_.publish(message);
-  next_clock_s_ = std::max(next_clock_s_ + clock_period_s_, time_s);
+  // Before the lab begins the same time is told again and again, which is none of these periods.
+  next_clock_s_ = std::clamp(next_clock_s_ + clock_period_s_, time_s, time_s + clock_period_s_);
 }
 
 void SimNode::publishTruth() {
