@@ -26,7 +26,7 @@ ALWAYS = {
     "sylph_markers",
     "sylph_mission",
 }
-AGREED = ["experiment", "seed", "planner", "weights", "speed", "run_folder"]
+AGREED = ["experiment", "seed", "planner", "weights", "speed", "lock_step", "run_folder"]
 
 
 def load(path, **arguments):
@@ -182,13 +182,17 @@ class LaunchFilesTest(unittest.TestCase):
         copy = load(robot, robot="cf1", experiment="lab_room")
         self.assertEqual(os.path.join(ROOT, "maps", "lab_room.yaml"), value_of(copy, "/cf1/sylph_robot/experiment"))
 
-    def test_real_robots_know_no_speed_factor(self):
+    def test_real_robots_know_neither_speed_factor_nor_lock_step(self):
         simulated = load(LAB, speed=4)
+        self.assertIs(True, value_of(simulated, "/sylph/lock_step"))
+        self.assertIs(False, value_of(load(LAB, lock_step="false"), "/sylph/lock_step"))
+        self.assertEqual(0.0, value_of(load(LAB, speed="max"), "/sylph/speed"))
         self.assertTrue(value_of(simulated, "/use_sim_time"))
         self.assertEqual(4.0, value_of(simulated, "/sylph/speed"))
         real = load(LAB, speed=4, sim="false")
         self.assertFalse(value_of(real, "/use_sim_time"))
         self.assertEqual(1.0, value_of(real, "/sylph/speed"))
+        self.assertIs(False, value_of(real, "/sylph/lock_step"))
 
     def test_simulated_cameras_and_bridge_speak_on_the_same_ports(self):
         config = load(LAB, natnet_port=2000)

@@ -20,7 +20,7 @@ ROBOTS = [f"robot_{number}" for number in range(8)]
 MOVED_S = 8.0  # of the lab, after which robots are under way
 SILENT_S = 5.0  # of the lab, that it goes on without a node
 DEADLINE_S = 180.0
-IN_LOCK_STEP = ["lock_step:=true", "speed:=max", "record:=false", "search_steps_per_s:=1000"]
+IN_LOCK_STEP = ["speed:=max", "record:=false", "search_steps_per_s:=1000"]
 
 
 def events_of(fleet):
