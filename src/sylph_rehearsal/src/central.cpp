@@ -37,6 +37,12 @@ void Central::crash() {
   execution_.reset();
 }
 
+void Central::launchAnew() {
+  crash();
+  log_.clear();
+  start();
+}
+
 void Central::tick(int life) {
   if (life != life_) {
     return;
@@ -44,7 +50,7 @@ void Central::tick(int life) {
   execution_->tick(queue_->now());
   flush();
   if (queue_->now() - state_sent_s_ >= heartbeat_period_s_ / 2.0) {
-    publishMode();
+    publishWord();
   }
   ports_.state(explain(*execution_, queue_->now()));
   queue_->after(heartbeat_period_s_, [this, life] { tick(life); });
@@ -102,14 +108,14 @@ void Central::flush() {
   }
   has_changed_ = has_changed_ || !events.empty();
   if (has_changed_ && now_s - state_sent_s_ >= kShortestStatePeriod_s) {
-    publishMode();
+    publishWord();
   }
 }
 
-void Central::publishMode() {
+void Central::publishWord() {
   has_changed_ = false;
   state_sent_s_ = queue_->now();
-  ports_.mode(execution_->mode());
+  ports_.word({execution_->mode(), execution_->executedPlanId(), queue_->now()});
 }
 
 }  // namespace sylph_rehearsal

@@ -7,6 +7,7 @@
 
 #include "sylph_core/adg/execution.hpp"
 #include "sylph_core/adg/run_record.hpp"
+#include "sylph_core/control/robot_controller.hpp"
 #include "sylph_core/execution/adg_state.hpp"
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_rehearsal/event_queue.hpp"
@@ -18,8 +19,8 @@ class Central {
  public:
   struct Ports {
     std::function<void(const sylph::TaskOrder&)> task;
-    std::function<void(sylph::ExecutionMode)> mode;     ///< to the robots, as part of AdgState
-    std::function<void(const sylph::AdgState&)> state;  ///< to the planner
+    std::function<void(const sylph::CentralWord&)> word;  ///< to the robots, as part of AdgState
+    std::function<void(const sylph::AdgState&)> state;    ///< to the planner
     std::function<void(const sylph::ExecutionEvent&)> event;  ///< told to nobody but the oracle
   };
 
@@ -30,6 +31,8 @@ class Central {
   /// Starts, and goes on from its log.
   void start();
   void crash();
+  /// By the operator, into a new run folder: it knows nothing of the run so far.
+  void launchAnew();
   bool isUp() const { return execution_.has_value(); }
 
   void onPlan(const sylph::MissionPlan& plan);
@@ -49,7 +52,7 @@ class Central {
  private:
   void tick(int life);
   void flush();
-  void publishMode();
+  void publishWord();
 
   const sylph::Experiment* experiment_;
   sylph::ExecutionLimits limits_;

@@ -18,12 +18,13 @@ struct KindRow {
   const char* name;
 };
 
-constexpr std::array<KindRow, 10> kKinds{{
+constexpr std::array<KindRow, 11> kKinds{{
     {LabFaultKind::Network, "network"},
     {LabFaultKind::PoseNetwork, "pose_network"},
     {LabFaultKind::CrashCentral, "crash_central"},
     {LabFaultKind::CrashRobot, "crash_robot"},
     {LabFaultKind::CrashPlanner, "crash_planner"},
+    {LabFaultKind::LaunchAnew, "launch_anew"},
     {LabFaultKind::CrashBridge, "crash_bridge"},
     {LabFaultKind::ClockSkew, "clock_skew"},
     {LabFaultKind::Pause, "pause"},

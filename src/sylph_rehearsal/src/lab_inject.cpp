@@ -44,6 +44,10 @@ void Lab::begin(const LabFault& fault) {
     case LabFaultKind::CrashPlanner:
       planner_.crash();
       break;
+    case LabFaultKind::LaunchAnew:
+      central_.launchAnew();
+      planner_.crash();
+      return;
     case LabFaultKind::CrashBridge:
       bridge_.crash();
       break;
@@ -101,6 +105,7 @@ void Lab::end(const LabFault& fault) {
       resume(sylph::ExecutionMode::Stop);
       break;
     case LabFaultKind::Simulated:
+    case LabFaultKind::LaunchAnew:
     case LabFaultKind::DeclareLost:
       break;
   }

@@ -38,9 +38,9 @@ void Robot::onPose(const sylph::Pose2d& pose, double stamp_s) {
   }
 }
 
-void Robot::onCentralMode(sylph::ExecutionMode mode) {
+void Robot::onCentralWord(const sylph::CentralWord& word) {
   if (node_) {
-    node_->controller.onCentralState(mode, queue_->now());
+    node_->controller.onCentralState(word, queue_->now());
   }
 }
 

@@ -37,7 +37,7 @@ class Robot {
 
   void onTask(const sylph::TaskOrder& task);
   void onPose(const sylph::Pose2d& pose, double stamp_s);
-  void onCentralMode(sylph::ExecutionMode mode);
+  void onCentralWord(const sylph::CentralWord& word);
   void onEmergencyStop(bool is_pressed);
 
   /// How far its clock is ahead [s].

@@ -30,5 +30,16 @@ TEST(FalsePlaceTest, AfterAShortOcclusionMovesNoRobot) {
   }
 }
 
+TEST(LaunchAnewTest, StoppedRobotsStayWhereTheyAre) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const Rehearsal run = rehearse(passing(seed), {}, nullptr,
+                                   {faultOf(LabFaultKind::Stop, {}, 4.0, kForGood),
+                                    faultOf(LabFaultKind::LaunchAnew, {}, 6.0, kForGood)});
+    EXPECT_EQ(Ending::Stopped, run.ending) << run.cause;
+    EXPECT_EQ("the central node has no plan", run.cause);
+  }
+}
+
 }  // namespace
 }  // namespace sylph_rehearsal

@@ -96,7 +96,8 @@ void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
 
 void RobotNode::onAdgState(const sylph_msgs::AdgState& message) {
   if (const auto mode = sylph_ros::modeFromMessage(message)) {
-    controller_.onCentralState(*mode, clock_.now());
+    controller_.onCentralState({*mode, message.executed_plan_id, message.header.stamp.toSec()},
+                               clock_.now());
   } else {
     ROS_WARN_THROTTLE(1.0, "AdgState with mode %d: must be RUN, PAUSE or STOP", message.mode);
   }

@@ -57,6 +57,7 @@ void MockLab::step() {
     sylph_msgs::AdgState state;
     state.header.stamp = ros::Time::now();
     state.mode = mode_;
+    state.executed_plan_id = executed_plan_id_;
     state_publisher_.publish(state);
     ++states_;
   }
@@ -65,6 +66,10 @@ void MockLab::step() {
 
 void MockLab::sendTask(std::uint32_t plan, std::uint32_t sequence, const sylph::Cell& from,
                        const sylph::Cell& to) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    executed_plan_id_ = plan;
+  }
   sylph_msgs::Task task;
   task.header.frame_id = "map";
   task.plan_id = plan;

@@ -63,6 +63,7 @@ class MockLab {
   std::size_t commands_ = 0;
   sylph_msgs::TaskReport report_;
   std::uint8_t mode_ = 0;
+  std::uint32_t executed_plan_id_ = 0;
   bool cameras_on_ = true;
   bool central_on_ = false;
   int steps_ = 0;

@@ -110,6 +110,7 @@ AdgState toMessage(const sylph::AdgState& state) {
   message.header.frame_id = kMapFrame;
   message.plan_id = state.plan_id;
   message.last_plan_id = state.last_plan_id;
+  message.executed_plan_id = state.executed_plan_id;
   message.phase = static_cast<std::uint8_t>(state.phase);
   message.mode = static_cast<std::uint8_t>(state.mode);
   message.message = state.message;
@@ -129,6 +130,7 @@ std::optional<sylph::AdgState> fromMessage(const AdgState& message) {
   sylph::AdgState state;
   state.plan_id = message.plan_id;
   state.last_plan_id = message.last_plan_id;
+  state.executed_plan_id = message.executed_plan_id;
   state.phase = static_cast<sylph::ExecutionPhase>(message.phase);
   state.mode = *mode;
   state.message = message.message;

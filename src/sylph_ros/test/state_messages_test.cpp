@@ -34,6 +34,7 @@ sylph::AdgState state() {
   sylph::AdgState state;
   state.plan_id = 3;
   state.last_plan_id = 5;
+  state.executed_plan_id = 4;
   state.phase = sylph::ExecutionPhase::Cutting;
   state.mode = sylph::ExecutionMode::Pause;
   state.message = "by the operator";
@@ -51,6 +52,7 @@ TEST(StateMessagesTest, AStateThereAndBackIsTheIdentity) {
   ASSERT_TRUE(back);
   EXPECT_EQ(3u, back->plan_id);
   EXPECT_EQ(5u, back->last_plan_id);
+  EXPECT_EQ(4u, back->executed_plan_id);
   EXPECT_EQ(sylph::ExecutionPhase::Cutting, back->phase);
   EXPECT_EQ(sylph::ExecutionMode::Pause, back->mode);
   EXPECT_EQ("by the operator", back->message);

@@ -125,6 +125,7 @@ AdgState explain(const Execution& execution, double now_s) {
   AdgState state;
   state.plan_id = execution.planId();
   state.last_plan_id = execution.lastPlanId();
+  state.executed_plan_id = execution.executedPlanId();
   state.phase = execution.phase();
   state.mode = execution.mode();
   state.message = execution.message();

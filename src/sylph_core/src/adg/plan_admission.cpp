@@ -43,6 +43,9 @@ PlanAdmission::Decision PlanAdmission::decide(const PresentExecution& present, d
   if (const auto wait = reasonToWait(present, now_s)) {
     return {now_s > pending_until_s_ ? Decision::Verdict::Refuse : Decision::Verdict::Wait, *wait};
   }
+  if (const auto fault = reasonNotNew(present)) {
+    return {Decision::Verdict::Refuse, *fault};
+  }
   if (const auto fault = reasonNotAtStart(present)) {
     return {Decision::Verdict::Refuse, *fault};
   }
@@ -127,6 +130,18 @@ std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& p
         report.done < report.accepted) {
       return member + " has not finished the tasks of plan " +
              std::to_string(present.plan->plan_id);
+    }
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> PlanAdmission::reasonNotNew(const PresentExecution& present) const {
+  for (const std::string& name : pending_->robots) {
+    // Its tasks done of another plan of this id would count for this one.
+    const std::uint32_t known = present.monitors[*indexOf(name)].report()->plan_id;
+    if (known >= pending_->plan_id) {
+      return name + " has tasks of plan " + std::to_string(known) +
+             " from before the central node was launched: send the mission again";
     }
   }
   return std::nullopt;

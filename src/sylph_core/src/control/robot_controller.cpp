@@ -7,6 +7,8 @@
 namespace sylph {
 namespace {
 
+// A stamp so much older than the last one means that the clock was set, or a simulation began anew.
+constexpr double kTimeJump_s = 1.0;
 // Between two poses the velocity counts as constant.
 constexpr double kLongestStretch_s = 0.03;
 
@@ -135,14 +137,19 @@ void RobotController::detectArrival(const Pose2d& pose, const Twist2d& twist_map
   }
 }
 
-void RobotController::onCentralState(ExecutionMode mode, double now_s) {
-  if (mode_ == ExecutionMode::Stop && mode == ExecutionMode::Run) {
+void RobotController::onCentralState(const CentralWord& word, double now_s) {
+  const bool is_late = central_heard_s_ && word.stamp_s < central_.stamp_s &&
+                       word.stamp_s > central_.stamp_s - kTimeJump_s;
+  if (is_late) {
+    return;
+  }
+  if (central_.mode == ExecutionMode::Stop && word.mode == ExecutionMode::Run) {
     watch_.confirm();  // the operator has resumed
     motion_.confirm();
   }
-  mode_ = mode;
+  central_ = word;
   central_heard_s_ = now_s;
-  emergency_.onCentralMode(mode);
+  emergency_.onCentralMode(word.mode);
 }
 
 bool RobotController::isDisplaced() const {
@@ -156,11 +163,15 @@ bool RobotController::isDisplaced() const {
   });
 }
 
+bool RobotController::hasOtherPlansTasks() const {
+  return !tasks_.isIdle() && central_.executed_plan_id != tasks_.planId();
+}
+
 Whereabouts RobotController::whereabouts(double now_s) const {
   if (watch_.problem(now_s)) {
     return {};
   }
-  return {frame_.toCell(position(watch_.last()->pose)), isDisplaced()};
+  return {frame_.toCell(position(watch_.last()->pose)), isDisplaced() || hasOtherPlansTasks()};
 }
 
 RobotSituation RobotController::situation(double now_s) const {
@@ -172,7 +183,10 @@ RobotSituation RobotController::situation(double now_s) const {
   if (central_heard_s_) {
     situation.central_silence_s = now_s - *central_heard_s_;
   }
-  situation.mode = mode_;
+  situation.mode = central_.mode;
+  if (hasOtherPlansTasks()) {
+    situation.other_plan_id = tasks_.planId();
+  }
   situation.is_emergency = emergency_.isActive();
   situation.is_displaced = isDisplaced();
   if (watch_.last()) {

@@ -31,6 +31,10 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
   if (situation.mode == ExecutionMode::Stop) {
     return stop(situation, "stopped by the central node");
   }
+  if (situation.other_plan_id) {
+    return stop(situation, "its tasks are of plan " + std::to_string(*situation.other_plan_id) +
+                               ", which the central node does not carry out");
+  }
   if (situation.motion_problem) {
     return stop(situation, *situation.motion_problem);
   }

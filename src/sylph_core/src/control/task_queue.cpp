@@ -64,7 +64,7 @@ TaskAnswer TaskQueue::offerOfNewPlan(const TaskOrder& task, const Whereabouts& w
     return {TaskVerdict::Early, nameOf(task) + ": the plan's first task is missing"};
   }
   if (task.status != TaskStatus::Done) {
-    if (!isIdle() && !whereabouts.is_displaced) {
+    if (!isIdle() && !whereabouts.is_released) {
       return {TaskVerdict::Early,
               nameOf(task) + ": plan " + std::to_string(plan_id_) + " is not done"};
     }

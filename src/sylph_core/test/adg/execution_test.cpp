@@ -116,6 +116,20 @@ TEST_F(ExecutionTest, RefusesAnIdThatIsNotNew) {
   EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
 }
 
+TEST_F(ExecutionTest, RefusesAnIdThatARobotKnowsWhichIsHeardLate) {
+  submit(queue(), 1);
+  EXPECT_EQ(ExecutionPhase::Pending, execution_->phase());
+  robots_[2].plan_id = 1;  // of an earlier run, done
+  robots_[2].done = 4;
+  place(queue().front());
+  EXPECT_EQ(
+      "plan 1: robot_2 has tasks of plan 1 from before the central node was launched: send "
+      "the mission again",
+      execution_->message());
+  submit(queue(), 2);
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
+}
+
 TEST_F(ExecutionTest, RefusesToDriveThroughABystander) {
   place({{0, 0}, {0, 3}, {0, 1}});
   submit({{{0, 0}, {0, 3}}, {{0, 1}, {0, 3}}}, 1, 0, {"robot_0", "robot_1"});

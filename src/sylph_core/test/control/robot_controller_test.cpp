@@ -83,6 +83,7 @@ class World {
   Twist2d command_robot;
   double grip = 1.0;  // share of the wheels' motion that reaches the floor
   ExecutionMode mode = ExecutionMode::Run;
+  std::uint32_t executed_plan_id = 1;
   bool central_sends = true;
   bool cameras_send = true;
   bool node_runs = true;
@@ -92,7 +93,7 @@ class World {
  private:
   void step() {  // 0.01 s
     if (node_runs && central_sends && step_ % 10 == 0) {
-      controller.onCentralState(mode, now_s);
+      controller.onCentralState({mode, executed_plan_id, now_s}, now_s);
     }
     if (node_runs && cameras_send) {
       const double noise_m = 1e-4 * drawNormal(rng_);
@@ -354,6 +355,42 @@ TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
   EXPECT_EQ(4, world.report().done);
 }
 
+TEST(RobotControllerTest, TasksOfAPlanThatNobodyCarriesOutAreHeld) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(1.0);
+  world.executed_plan_id = 0;  // the central node was launched anew
+  world.run(0.5);
+  const double x_m = world.x();
+  world.run(5.0);
+  EXPECT_NEAR(x_m, world.x(), 0.001);
+  EXPECT_EQ(RobotState::Holding, world.report().state);
+  EXPECT_EQ("its tasks are of plan 1, which the central node does not carry out",
+            world.report().detail);
+  // A plan from where it stands takes over.
+  world.executed_plan_id = 2;
+  world.run(0.2);
+  EXPECT_EQ(TaskVerdict::Accepted,
+            world.controller.onTask({2, 0, {2, 1}, {1, 1}}, world.now_s).verdict);
+  world.run(4.0);
+  EXPECT_EQ(1, world.report().done);
+  EXPECT_EQ(2u, world.report().plan_id);
+}
+
+TEST(RobotControllerTest, WhatTheCentralNodeSaidBeforeItsLastWordIsLate) {
+  World world({2, 0});
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(1.0);
+  world.central_sends = false;
+  world.controller.onCentralState({ExecutionMode::Stop, 1, world.now_s}, world.now_s);
+  world.run(0.2);
+  world.controller.onCentralState({ExecutionMode::Run, 1, world.now_s - 0.3}, world.now_s);
+  world.run(0.3);
+  EXPECT_EQ("stopped by the central node", world.report().detail);
+}
+
 TEST(RobotControllerTest, ABodyWithTurnedAxesStopsItSoon) {
   World world({2, 1});
   world.run(0.2);
@@ -477,6 +514,7 @@ TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
 
 TEST(RobotControllerTest, ANodeThatStartsAgainGoesOnFromItsPastTasks) {
   World world({2, 2});
+  world.executed_plan_id = 7;
   world.run(0.2);
   for (int k = 0; k < 4; ++k) {
     const TaskStatus status = k < 2 ? TaskStatus::Done : TaskStatus::Enqueued;
@@ -495,6 +533,7 @@ TEST(RobotControllerTest, ANewPlanGoesOnWhereTheOldOneEnded) {
   world.run(2.5);
   EXPECT_EQ(TaskVerdict::Accepted,
             world.controller.onTask({2, 0, {2, 1}, {1, 1}}, world.now_s).verdict);
+  world.executed_plan_id = 2;
   world.run(2.5);
   EXPECT_EQ(2u, world.report().plan_id);
   EXPECT_EQ(1, world.report().done);

@@ -22,6 +22,7 @@ enum class LabFaultKind {
   CrashCentral,  ///< the central node ends, and starts again after the duration
   CrashRobot,    ///< a robot's node does
   CrashPlanner,  ///< the planner's does
+  LaunchAnew,    ///< the operator ends both and launches them again, with an empty event log
   CrashBridge,   ///< the bridge's does
   ClockSkew,     ///< the clock of a robot is `value` seconds ahead
   Pause,         ///< the operator pauses, and resumes after the duration

@@ -70,6 +70,8 @@ class Execution {
   std::uint32_t planId() const { return plan_id_; }
   /// The largest plan id in plans and reports: a new plan's has to be greater.
   std::uint32_t lastPlanId() const { return last_plan_id_; }
+  /// Whose tasks robots may carry out; 0: of none.
+  std::uint32_t executedPlanId() const { return plan_ ? plan_->plan_id : 0; }
   /// Whether no more is released before a replacement plan starts.
   bool isCut() const { return is_cut_; }
   /// Whether a plan is carried out, be it on the way to the cut or there.

@@ -57,6 +57,7 @@ class PlanAdmission {
   std::optional<std::string> faultOfMembers(const MissionPlan& plan,
                                             const PresentExecution& present) const;
   std::optional<std::string> reasonToWait(const PresentExecution& present, double now_s) const;
+  std::optional<std::string> reasonNotNew(const PresentExecution& present) const;
   std::optional<std::string> reasonNotAtStart(const PresentExecution& present) const;
   std::optional<std::string> bystanderInTheWay(const PresentExecution& present) const;
 

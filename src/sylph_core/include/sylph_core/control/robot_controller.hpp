@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -33,6 +34,13 @@ struct RobotControllerOptions {
   SupervisorLimits supervisor;
 };
 
+/// What AdgState tells a robot.
+struct CentralWord {
+  ExecutionMode mode = ExecutionMode::Run;
+  std::uint32_t executed_plan_id = 0;  ///< whose tasks it may carry out; 0: of none
+  double stamp_s = 0.0;                ///< when it was sent, by the central node's clock
+};
+
 /// A robot: tasks and poses in, velocity and arrivals out. Every time is in seconds of one steady
 /// clock.
 class RobotController {
@@ -44,8 +52,8 @@ class RobotController {
   TaskAnswer onTask(const TaskOrder& task, double now_s);
   /// Takes a pose, learns slip from it and notices arrivals.
   PoseVerdict onPose(const TimedPose& pose);
-  /// The central node lives, and wants robots to run, pause or stop.
-  void onCentralState(ExecutionMode mode, double now_s);
+  /// The central node lives. What it said before its last word is late, and counts for nothing.
+  void onCentralState(const CentralWord& word, double now_s);
   /// The state of the button, which stops at once; see EmergencyLatch.
   void onEmergencyStop(bool is_pressed) { emergency_.onEmergencyStop(is_pressed); }
 
@@ -61,6 +69,8 @@ class RobotController {
  private:
   RobotSituation situation(double now_s) const;
   bool isDisplaced() const;
+  /// Whether it has tasks of a plan that the central node does not carry out.
+  bool hasOtherPlansTasks() const;
   Whereabouts whereabouts(double now_s) const;
   void followTasks();
   /// Where its commands lead the robot from where it was seen last until the capture of `pose`.
@@ -85,7 +95,7 @@ class RobotController {
   PathFollower follower_;
   TwistLimiter limiter_;
   EmergencyLatch emergency_;
-  ExecutionMode mode_ = ExecutionMode::Run;
+  CentralWord central_;
   std::optional<double> central_heard_s_;
   std::optional<double> updated_s_;
   std::optional<int> finish_waypoint_;  // where to stop while the central node is silent

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 
@@ -23,7 +24,8 @@ struct RobotSituation {
   std::optional<double> central_silence_s;  ///< since the last AdgState; nothing before the first
   ExecutionMode mode = ExecutionMode::Run;
   bool is_emergency = false;
-  bool is_displaced = false;  ///< outside the cells that its tasks hold
+  std::optional<std::uint32_t> other_plan_id;  ///< of its tasks, if nobody carries that plan out
+  bool is_displaced = false;                   ///< outside the cells that its tasks hold
   double heading_error_rad = 0.0;
 };
 

@@ -29,16 +29,17 @@ struct TaskAnswer {
 
 /// Where a robot is when it is offered a task.
 struct Whereabouts {
-  std::optional<Cell> cell;   ///< measured; nothing without a good pose
-  bool is_displaced = false;  ///< it stands outside the cells that its tasks hold
+  std::optional<Cell> cell;  ///< measured; nothing without a good pose
+  /// It stands outside the cells that its tasks hold, or nobody carries their plan out any more.
+  bool is_released = false;
 };
 
 /// The tasks that a robot has accepted and done, each exactly once and in order, whatever is lost,
 /// doubled or late on the way.
 ///
 /// Tasks count per plan. A plan with a greater id begins when all accepted tasks of the one before
-/// are done, in the cell where these ended or where the robot is measured; or when the robot was
-/// moved out of its cells, in the cell where it stands.
+/// are done, in the cell where these ended or where the robot is measured; or when they bind the
+/// robot no more, in the cell where it stands.
 class TaskQueue {
  public:
   explicit TaskQueue(Grid grid) : grid_(std::move(grid)) {}

@@ -38,8 +38,9 @@ struct RobotExecution {
 
 /// State of execution as it is told to operator, planner and robots, see AdgState.msg.
 struct AdgState {
-  std::uint32_t plan_id = 0;       ///< pending, carried out, or refused last; 0: none yet
-  std::uint32_t last_plan_id = 0;  ///< the largest in plans and reports
+  std::uint32_t plan_id = 0;           ///< pending, carried out, or refused last; 0: none yet
+  std::uint32_t last_plan_id = 0;      ///< the largest in plans and reports
+  std::uint32_t executed_plan_id = 0;  ///< whose tasks robots may carry out; 0: of none
   ExecutionPhase phase = ExecutionPhase::Idle;
   ExecutionMode mode = ExecutionMode::Run;
   std::string message;                 ///< why the plan was refused, or why robots pause or stop
