@@ -92,7 +92,7 @@ PolicyStep PolicyRollout::nothingKnown() const {
 }
 
 PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& from,
-                                 const Configuration& to, Rng& rng) {
+                                 const Configuration& to, Rng& rng, StepUse use) {
   const std::size_t count = distances_->size();
   const auto rows = static_cast<Eigen::Index>(count);
   if (from.size() != count || to.size() != count || before.svo.rows() != rows) {
@@ -119,10 +119,10 @@ PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& 
                                           : AgentRows::Zero(rows, policy_->network().shape().width);
   partners_.update(to, before.social.partners);
   input.partners = partners_.fixed();
-  return evaluate(std::move(states), std::move(input), rng);
+  return evaluate(std::move(states), std::move(input), use, rng);
 }
 
-PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, Rng& rng) {
+PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, StepUse use, Rng& rng) {
   const std::size_t count = distances_->size();
   const auto rows = static_cast<Eigen::Index>(count);
   encoder_.setStates(states);
@@ -134,6 +134,10 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, Rng& 
   }
   NetworkOutput output = policy_->network().forward(input, threads_);
   ++calls_;
+  if (policy_->costNetwork() != nullptr && use == StepUse::Search) {
+    input.memory.setZero();
+    output.by_cost = policy_->costNetwork()->forward(input, threads_).by_cost;
+  }
   PolicyStep step;
   step.actions = std::move(output.actions);
   step.by_cost = std::move(output.by_cost);

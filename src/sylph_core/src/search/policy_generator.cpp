@@ -85,7 +85,7 @@ std::unique_ptr<JointSteps> PolicyGenerator::enter(const Vertices& configuration
     return std::make_unique<PibtSteps>(pibt_, distance_ranking_, configuration,
                                        orderByPriority(priorities, start_distances_));
   }
-  const PolicyStep& step = steps_->enter(configuration, before).step;
+  const PolicyStep& step = steps_->enter(configuration, before, StepUse::Search).step;
   const std::vector<double> tie_breaks =
       selfishFirst(step.social.svo_deg, priorities, start_distances_);
   return std::make_unique<PolicyGuidedSteps>(

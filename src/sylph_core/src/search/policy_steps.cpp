@@ -11,13 +11,13 @@ std::size_t PolicySteps::Hash::operator()(const Vertices& configuration) const {
   return hashOf(configuration);
 }
 
-const PolicySteps::Entry& PolicySteps::enter(const Vertices& configuration,
-                                             const Vertices* before) {
+const PolicySteps::Entry& PolicySteps::enter(const Vertices& configuration, const Vertices* before,
+                                             StepUse use) {
   const Configuration to = graph_->toCells(configuration);
   const Configuration from = before == nullptr ? to : graph_->toCells(*before);
   const Entry* known = before == nullptr ? nullptr : find(*before);
-  PolicyStep step =
-      rollout_->follow(known == nullptr ? rollout_->nothingKnown() : known->step, from, to, *rng_);
+  PolicyStep step = rollout_->follow(known == nullptr ? rollout_->nothingKnown() : known->step,
+                                     from, to, *rng_, use);
   entries_.push_back({configuration, known, std::move(step)});
   last_[configuration] = &entries_.back();
   return entries_.back();
@@ -51,7 +51,8 @@ std::vector<SocialState> PolicySteps::along(const std::vector<Vertices>& plan,
     const Entry* known = find(plan[timestep]);
     entries.push_back(known != nullptr && known->before == before
                           ? known
-                          : &enter(plan[timestep], timestep == 0 ? nullptr : &plan[timestep - 1]));
+                          : &enter(plan[timestep], timestep == 0 ? nullptr : &plan[timestep - 1],
+                                   StepUse::Social));
   }
   std::vector<SocialState> states;
   states.reserve(entries.size());

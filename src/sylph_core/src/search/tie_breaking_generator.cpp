@@ -73,7 +73,7 @@ TieBreakingGenerator::TieBreakingGenerator(const SearchProblem& problem, const G
 std::unique_ptr<JointSteps> TieBreakingGenerator::enter(const Vertices& configuration,
                                                         const Vertices* before,
                                                         const Priorities& priorities) {
-  const PolicyStep& step = steps_->enter(configuration, before).step;
+  const PolicyStep& step = steps_->enter(configuration, before, StepUse::Social).step;
   return std::make_unique<TieBreakingSteps>(
       *problem_, *grid_, PolicyRanking(*problem_, settings_, step.actions, priorities, *rng_),
       step.social.svo_deg, configuration);

@@ -131,6 +131,27 @@ TEST_F(PolicyRolloutTest, WithoutACostHeadASearchIsToldWhatTheOthersAre) {
   EXPECT_EQ(step.actions, step.by_cost);
 }
 
+TEST_F(PolicyRolloutTest, ACostNetworkTellsASearchAndChangesNothingElse) {
+  const TensorFile weights = RandomWeights(smallShape(), 1).file();
+  policy_ = std::make_shared<const Policy>(weights, "policy");
+  auto alone = rollout();
+  const PolicyStep without = firstStep(alone);
+  const TensorFile other = RandomWeights(smallShape(), 2).file();
+  policy_ = std::make_shared<const Policy>(other, "cost network");
+  auto by_other = rollout();
+  const PolicyStep cost = firstStep(by_other);
+  policy_ = std::make_shared<const Policy>(withCostNetwork(weights, other), "both");
+  auto both = rollout();
+  const PolicyStep step = firstStep(both);
+  EXPECT_EQ(without.actions, step.actions);
+  EXPECT_EQ(without.svo, step.svo);
+  EXPECT_EQ(cost.by_cost, step.by_cost);
+  EXPECT_NE(without.by_cost, step.by_cost);
+  const PolicyStep social =
+      both.follow(both.nothingKnown(), starts_, starts_, rng_, StepUse::Social);
+  EXPECT_EQ(without.by_cost, social.by_cost) << "not asked";
+}
+
 TEST_F(PolicyRolloutTest, WeightsThatOverflowSayNothing) {
   TensorFile weights = RandomWeights(smallShape(), 1).file();
   weights.tensors["heads.action.bias"].values[2] = std::numeric_limits<float>::infinity();

@@ -94,5 +94,23 @@ TEST_F(PolicyTest, TakesWeightsWithoutCostHeadOnlyIfTheySaySo) {
       "has no tensor 'heads.cost.linear1.weight'; the network needs it, of shape [8, 48]");
 }
 
+TEST_F(PolicyTest, ReadsTheCostNetworkBesideThePolicy) {
+  EXPECT_EQ(nullptr, Policy(weights_, "w").costNetwork());
+  weights_ = withCostNetwork(weights_, RandomWeights(smallShape(), 4).file());
+  const Policy policy(weights_, "w");
+  ASSERT_NE(nullptr, policy.costNetwork());
+  EXPECT_EQ(policy.network().multiplyAdds(), policy.costNetwork()->multiplyAdds());
+  weights_.tensors.erase("cost.goal.bias");
+  try {
+    Policy(weights_, "w.safetensors");
+    FAIL() << "accepted";
+  } catch (const std::runtime_error& thrown) {
+    EXPECT_EQ(
+        "w.safetensors, cost network: has no tensor 'goal.bias'; the network needs it, of shape "
+        "[4]",
+        std::string(thrown.what()));
+  }
+}
+
 }  // namespace
 }  // namespace sylph

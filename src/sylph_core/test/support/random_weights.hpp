@@ -103,6 +103,14 @@ inline NetworkShape smallShape() {
   return shape;
 }
 
+/// Weights of a policy and of a network that ranks moves by cost.
+inline TensorFile withCostNetwork(TensorFile policy, const TensorFile& cost) {
+  for (const auto& [name, tensor] : cost.tensors) {
+    policy.tensors["cost." + name] = tensor;
+  }
+  return policy;
+}
+
 /// A policy of that size, made once.
 inline std::shared_ptr<const Policy> randomPolicy() {
   static const auto policy =

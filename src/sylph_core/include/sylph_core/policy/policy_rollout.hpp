@@ -20,10 +20,16 @@ enum class SvoChoice {
   Waiting,  ///< none of it: the rule of waiting, see svoByWaiting(), to compare with
 };
 
+/// What is wanted of a step.
+enum class StepUse {
+  Social,  ///< all but `by_cost`, which then is the network's own
+  Search,  ///< `by_cost` as well: twice the work where there is a cost network
+};
+
 /// What the policy says in one configuration, and what it takes along to the next one.
 struct PolicyStep {
   AgentRows actions;        ///< n x 5 logits, in the order of Action: for who resolves by SVO
-  AgentRows by_cost;        ///< n x 5 logits: for a search, see NetworkOutput
+  AgentRows by_cost;        ///< n x 5 logits: for a search, of the cost network if there is one
   AgentRows svo;            ///< n x levels, each row of sum 1
   AgentRows memory;         ///< n x width, or empty if the policy has none
   std::vector<int> waited;  ///< per agent: timesteps since it was last on its goal
@@ -53,7 +59,7 @@ class PolicyRollout {
   /// calls: a search can come back to any one.
   /// @throws std::invalid_argument if the number of agents is another
   PolicyStep follow(const PolicyStep& before, const Configuration& from, const Configuration& to,
-                    Rng& rng);
+                    Rng& rng, StepUse use = StepUse::Search);
 
   /// Per agent a number between 0 and 1 that tells it from others in an equal place.
   const std::vector<float>& tieBreaks() const { return tie_breaks_; }
@@ -61,7 +67,7 @@ class PolicyRollout {
   long calls() const { return calls_; }
 
  private:
-  PolicyStep evaluate(AgentStates states, NetworkInput input, Rng& rng);
+  PolicyStep evaluate(AgentStates states, NetworkInput input, StepUse use, Rng& rng);
   float actedBy(const float* probabilities, Rng& rng) const;
 
   const Policy* policy_;

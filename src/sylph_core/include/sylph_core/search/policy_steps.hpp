@@ -29,7 +29,7 @@ class PolicySteps {
   /// @param before  the configuration one timestep earlier, nullptr at the start; where its step is
   /// unknown, so is all that a step takes along but the moves that led here
   /// @return valid as long as this object
-  const Entry& enter(const Vertices& configuration, const Vertices* before);
+  const Entry& enter(const Vertices& configuration, const Vertices* before, StepUse use);
 
   /// The last step asked for in a configuration, nullptr if none was.
   const Entry* find(const Vertices& configuration) const;
