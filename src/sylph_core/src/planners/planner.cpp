@@ -74,8 +74,9 @@ std::unique_ptr<Planner> makePlanner(const std::string& name,
   if (policy == nullptr) {
     throw std::invalid_argument("planner '" + name + "' needs the weights of a policy");
   }
-  GuideFactory make_guide =
-      makePolicyGuideFactory(std::move(policy), use->second, defaultSettings(use->second));
+  const bool has_cost_network = policy->costNetwork() != nullptr;
+  GuideFactory make_guide = makePolicyGuideFactory(std::move(policy), use->second,
+                                                   defaultSettings(use->second, has_cost_network));
   if (use->second == PolicyUse::Search) {
     return std::make_unique<LacamPlanner>(name, std::move(make_guide));
   }

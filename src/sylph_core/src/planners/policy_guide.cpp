@@ -60,7 +60,7 @@ class PolicyGuide : public Guide {
 
 }  // namespace
 
-PolicySettings defaultSettings(PolicyUse use) {
+PolicySettings defaultSettings(PolicyUse use, bool has_cost_network) {
   PolicySettings settings;
   if (use == PolicyUse::TieBreaking) {
     settings.moves = {0.0, 0.0, 0.7, 1.0, 1.0};  // draws from the policy
@@ -76,6 +76,11 @@ PolicySettings defaultSettings(PolicyUse use) {
     // No search helps who goes round in circles: only chance does.
     settings.moves.base_temperature = kDistanceFirst / 10.0;
     settings.moves.most_factor = 4.0;
+    if (has_cost_network) {
+      // What is cheap may be a wait or a way round, where the network is sure.
+      settings.moves.distance_weight = 20.0;
+      settings.moves.base_temperature = 1.0;
+    }
   }
   return settings;
 }

@@ -23,7 +23,8 @@ struct PolicySettings {
 };
 
 /// The settings that serve each use best.
-PolicySettings defaultSettings(PolicyUse use);
+/// @param has_cost_network  whether what agents want inside PIBT is what is cheap
+PolicySettings defaultSettings(PolicyUse use, bool has_cost_network);
 
 /// Joint steps, partners and SVOs by the policy network.
 GuideFactory makePolicyGuideFactory(std::shared_ptr<const Policy> policy, PolicyUse use,
