@@ -4,9 +4,11 @@ import os
 import tempfile
 import unittest
 
+import rosbag
 import rosunit
 import small_run
 from sylph_report import run_data
+from sylph_report.bag_reader import BagReader
 
 
 class RunDataTest(unittest.TestCase):
@@ -45,6 +47,28 @@ class RunDataTest(unittest.TestCase):
         missing = run_data.load(self.folder.name).missing
         self.assertEqual(len(missing), 1)
         self.assertIn("/robot_0/task is sylph_msgs/Task of another version of the suite", missing[0])
+
+    def test_reads_what_rosbag_reads(self):
+        path = os.path.join(self.folder.name, "run.bag")
+        for compression in ("none", "bz2", "lz4"):
+            small_run.write_bag(path, compression=compression)
+            topics = ["/sylph/adg_state", "/robot_1/task_report"]
+            with rosbag.Bag(path) as bag:
+                expected = [(topic, raw[1]) for topic, raw, _ in bag.read_messages(topics=topics, raw=True)]
+            self.assertEqual(sorted(message[1:] for message in BagReader(path).read(topics)), sorted(expected))
+
+    def test_reads_the_tracking_error_from_the_end_of_a_report(self):
+        for name, error_m in (("robot_0", 0.002), ("robot_1", 0.004)):
+            self.assertEqual(set(self.run_data.robots[name].tracking_error_m), {error_m})
+
+    def test_refuses_a_bag_that_is_cut_or_not_closed(self):
+        path = os.path.join(self.folder.name, "run.bag")
+        with open(path, "rb") as file:
+            content = file.read()
+        for size in (0, 5, 100, len(content) // 2):
+            with open(path, "wb") as file:
+                file.write(content[:size])
+            self.assertIn("not a readable bag", run_data.load(self.folder.name).missing[0])
 
     def test_says_nothing_is_missing(self):
         self.assertEqual(self.run_data.missing, [])

@@ -58,9 +58,9 @@ def pose(index, time_s):
     return message
 
 
-def write_bag(path, leave_out=()):
+def write_bag(path, leave_out=(), compression="none"):
     """Writes the run's bag. Topics in `leave_out` are missing."""
-    with rosbag.Bag(path, "w") as bag:
+    with rosbag.Bag(path, "w", compression, chunk_threshold=4096) as bag:
 
         def write(topic, message, time_s):
             if topic not in leave_out:

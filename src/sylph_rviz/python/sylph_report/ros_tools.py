@@ -42,18 +42,18 @@ def recorded_fleet(topics):
     return next((match.group(1) for match in found if match), None)
 
 
-def changed_type(bag):
-    """One line on a message of the suite that the bag has in another version; None if there is none.
+def changed_type(connections):
+    """One line on a message of the suite that a bag has in another version; None if there is none.
 
-    Its players and readers would refuse such a message by checksum, or misread it.
+    Players and readers would refuse such a message by checksum, or misread it. `connections` are (topic, type, md5sum).
     """
-    types, topics = bag.get_type_and_topic_info()
-    for topic, info in sorted(topics.items()):
-        known = roslib.message.get_message_class(info.msg_type)
-        is_ours = info.msg_type.startswith("sylph_msgs/")
-        if is_ours and (known is None or known._md5sum != types[info.msg_type]):
+    for topic, type_name, md5sum in sorted(connections):
+        if not type_name.startswith("sylph_msgs/"):
+            continue
+        known = roslib.message.get_message_class(type_name)
+        if known is None or known._md5sum != md5sum:
             return (
-                f"{topic} is {info.msg_type} of another version of the suite (a plan is one sylph_msgs/JointActions "
+                f"{topic} is {type_name} of another version of the suite (a plan is one sylph_msgs/JointActions "
                 "since 0.1.0): use the version that recorded it"
             )
     return None

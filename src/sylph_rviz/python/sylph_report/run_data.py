@@ -2,11 +2,14 @@
 import json
 import math
 import os
+import struct
 from dataclasses import dataclass, field
 
 import rosbag
+import roslib.message
 import yaml
 
+from sylph_report.bag_reader import BagReader
 from sylph_report.ros_tools import changed_type, recorded_fleet
 
 # Defaults of an experiment's `execution` section.
@@ -20,6 +23,12 @@ JOINT_ACTIONS = "sylph/joint_actions"
 SEPARATION = "sylph/separation"
 TRUTH = "sylph/simulation_truth"
 TASK_REPORT_TYPE = "sylph_msgs/TaskReport"
+
+# Numbers at the end of a TaskReport: x, y, yaw, tracking error, heading error, age of the pose. There are so many reports
+# that to build an object of each takes longer than all the rest.
+REPORT_END = struct.Struct("<6d")
+# An AdgState tells of all robots and takes a millisecond to read, so that so many robots' states are enough.
+MOST_ROBOT_STATES = 12000
 
 EXECUTING = 2
 FINISHED = 5
@@ -158,31 +167,46 @@ def _load_bag(run, path):
         )
         return
     try:
-        with rosbag.Bag(path) as bag:
-            changed = changed_type(bag)
-            if changed:
-                run.missing.append(f"{path}: {changed}")
-            else:
-                _read_bag(run, bag)
+        bag = BagReader(path)
+        changed = changed_type((c.topic, c.type, c.md5sum) for c in bag.connections.values())
+        if changed:
+            run.missing.append(f"{path}: {changed}")
+        else:
+            _read_bag(run, bag)
     except (rosbag.ROSBagException, OSError) as error:
         run.missing.append(f"{path}: not a readable bag: {error}")
 
 
 def _read_bag(run, bag):
-    topics = bag.get_type_and_topic_info().topics
-    fleet = recorded_fleet(topics) or "/"
-    reports = [name for name, info in topics.items() if info.msg_type == TASK_REPORT_TYPE]
+    types = bag.topics()
+    fleet = recorded_fleet(types) or "/"
+    reports = [topic for topic, type_name in types.items() if type_name == TASK_REPORT_TYPE]
     wanted = [fleet + topic for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION, TRUTH)] + reports
     for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION):
-        if fleet + topic not in topics:
+        if fleet + topic not in types:
             run.missing.append(f"run.bag: has no {fleet}{topic}")
-    reader = _BagReader(run)
-    for topic, message, stamp in bag.read_messages(topics=wanted):
-        reader.take(topic[len(fleet):], message, stamp.to_sec())
+    classes = {topic: roslib.message.get_message_class(types[topic]) for topic in wanted if topic in types}
+    messages = bag.read(wanted)
+    last = {topic: index for index, (_, topic, _) in enumerate(messages)}
+    states = sum(topic == fleet + ADG_STATE for _, topic, _ in messages)
+    every = max(1, math.ceil(states * len(reports) / MOST_ROBOT_STATES))
+    reader = _RunReader(run)
+    states = 0
+    for index, (time_s, topic, data) in enumerate(messages):
+        if topic in reports:
+            reader.take_report(topic[len(fleet):].split("/")[0], REPORT_END.unpack(data[-REPORT_END.size:]), time_s)
+            continue
+        if topic == fleet + ADG_STATE:
+            states += 1
+            if reader.is_running() and states % every and index != last[topic]:
+                continue
+        if topic == fleet + TRUTH and index != last[topic]:  # it counts up
+            continue
+        reader.take(topic[len(fleet):], classes[topic]().deserialize(data), time_s)
     reader.finish()
 
 
-class _BagReader:
+class _RunReader:
     """Sorts a bag's messages into a Run."""
 
     def __init__(self, run):
@@ -207,10 +231,13 @@ class _BagReader:
                 "true smallest gap [m]": message.min_separation_m,
                 "true collisions": message.collisions,
             }
-        elif self._is_running():
-            robot = self._run.robots.setdefault(message.robot_id, RobotRun())
+
+    def take_report(self, name, numbers, received_s):
+        """Takes the numbers at the end of a robot's TaskReport."""
+        if self.is_running():
+            robot = self._run.robots.setdefault(name, RobotRun())
             robot.error_time_s.append(received_s - self._start_s)
-            robot.tracking_error_m.append(message.tracking_error_m)
+            robot.tracking_error_m.append(numbers[3])
 
     def finish(self):
         """Adds the plans, whose steps are spread over their shortest possible time."""
@@ -226,12 +253,13 @@ class _BagReader:
                     robot.planned_cells.append(cells.get(name, 0))
                     cells[name] = cells.get(name, 0) + (action != 0)
 
-    def _is_running(self):
+    def is_running(self):
+        """Whether a task has been released and not all are done."""
         return self._start_s is not None and not self._is_over
 
     def _take_separation(self, message, received_s):
         self._run.separation_limit_m = message.limit_m
-        if self._is_running() and math.isfinite(message.separation_m):
+        if self.is_running() and math.isfinite(message.separation_m):
             self._run.separation.append((received_s - self._start_s, message.separation_m))
 
     def _take_state(self, message, received_s):
