@@ -30,11 +30,26 @@ class RunDataTest(unittest.TestCase):
         for planned_s, expected_s in zip(robot.planned_time_s, [0.0, 1.0, 2.0, 3.0]):
             self.assertAlmostEqual(planned_s, expected_s)
 
-    def test_sums_waits_by_cause_and_not_by_the_numbers_in_its_words(self):
+    def test_sums_waits_by_cause_and_not_by_its_details(self):
         self.assertEqual(run_data.waiting_by_cause(self.run_data.robots["robot_0"]), {})
         causes = run_data.waiting_by_cause(self.run_data.robots["robot_1"])
-        self.assertEqual(list(causes), [("robot_0", "silent for ... s")])
-        self.assertAlmostEqual(causes[("robot_0", "silent for ... s")], 1.0, places=3)
+        self.assertEqual(list(causes), [("robot_0", "silent")])
+        self.assertAlmostEqual(causes[("robot_0", "silent")], 1.0, places=3)
+
+    def test_groups_causes_by_kind(self):
+        kinds = {
+            "no good pose: pose is 0.31 s old by its stamp": "no good pose",
+            "no good pose: no good pose for 2.0 s": "no good pose",
+            "no good pose": "no good pose",
+            "is on its way from (10,8) to (10,7)": "is on its way",
+            "no report for 3.1 s": "no report",
+            "no report yet": "no report",
+            "no progress for 5.0 s: held by the user": "no progress",
+            "stop: by the user": "stopped",
+            "its next task is not released yet": "its next task is not released",
+            "rests at the commit cut until the rest is planned anew": "rests at the commit cut until the rest is planned anew",
+        }
+        self.assertEqual({text: run_data.cause_kind(text) for text in kinds}, kinds)
 
     def test_takes_progress_from_the_event_log_when_there_is_no_bag(self):
         os.remove(os.path.join(self.folder.name, "run.bag"))

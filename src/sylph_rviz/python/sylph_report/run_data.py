@@ -2,6 +2,7 @@
 import json
 import math
 import os
+import re
 import struct
 from dataclasses import dataclass, field
 
@@ -299,12 +300,11 @@ def _cause_of(state, mode):
         return ("", MODES[mode])
     if not state.waiting:
         return None
-    reason = _without_numbers(state.root_cause) or CONDITIONS.get(state.condition, "moves")
+    reason = cause_kind(state.root_cause) or CONDITIONS.get(state.condition, "moves")
     return (state.root_cause_robot or state.waits_for_robot, reason)
 
 
-def _without_numbers(text):
-    """"silent for 3.1 s" and "silent for 3.2 s" are the same cause."""
-    words = ["..." if any(c.isdigit() for c in word) and "_" not in word else word
-             for word in text.split()]
-    return " ".join(words)
+def cause_kind(text):
+    """What "no good pose: pose is 0.3 s old by its stamp" and "no good pose: no pose yet" have in common."""
+    kind = re.sub(r" (for|from|after) [^ ]*\d.*$| yet$", "", text.split(":")[0].strip())
+    return {"pause": MODES[1], "stop": MODES[2]}.get(kind, kind)
