@@ -1,5 +1,7 @@
 #include "sylph_training/imitation/demonstration.hpp"
 
+#include <time.h>  // clock_gettime() is POSIX
+
 #include <algorithm>
 #include <numeric>
 #include <utility>
@@ -157,17 +159,25 @@ DemonstrationSettings DemonstrationSettings::read(const sylph::YamlMap& yaml) {
   return settings;
 }
 
+double processorTime() {
+  timespec now{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
+  constexpr double kNanosecond = 1e-9;
+  return static_cast<double>(now.tv_sec) + kNanosecond * static_cast<double>(now.tv_nsec);
+}
+
 std::optional<std::vector<sylph::Vertices>> findExpertPlan(const sylph::SearchProblem& problem,
                                                            const DemonstrationSettings& settings,
                                                            sylph::Rng& rng) {
-  sylph::FirstSolution first = sylph::findFirstSolution(
-      problem, sylph::makeDistanceGenerator, sylph::Deadline(settings.first_solution_s), rng);
+  sylph::FirstSolution first =
+      sylph::findFirstSolution(problem, sylph::makeDistanceGenerator,
+                               sylph::Deadline(settings.first_solution_s, processorTime), rng);
   if (first.status != sylph::Lacam::Status::Solved) {
     return std::nullopt;
   }
   constexpr int kThreads = 1;
   return sylph::improve(problem, std::move(first.plan), sylph::makeDistanceGenerator, kThreads,
-                        sylph::Deadline(settings.improvement_s), rng)
+                        sylph::Deadline(settings.improvement_s, processorTime), rng)
       .plan;
 }
 

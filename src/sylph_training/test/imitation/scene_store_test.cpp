@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cstring>
+#include <thread>
 
 #include "sylph_training/imitation/demonstration.hpp"
 #include "sylph_training/imitation/symmetry.hpp"
@@ -71,6 +73,14 @@ TEST(SceneStoreTest, FilesThereAndBackAreTheSame) {
   ASSERT_EQ(first.sceneCount() + second.sceneCount(), both.sceneCount());
   expectEqual(first, both, 0);
   expectEqual(second, both, first.sceneCount());
+}
+
+TEST(ProcessorTimeTest, StandsStillWhileOthersHaveTheProcessor) {
+  constexpr std::chrono::milliseconds kAside(100);
+  const double before_s = processorTime();
+  std::this_thread::sleep_for(kAside);
+  EXPECT_GE(processorTime(), before_s);
+  EXPECT_LT(processorTime() - before_s, std::chrono::duration<double>(kAside).count());
 }
 
 TEST(SceneStoreTest, DamagedFilesAreRefused) {

@@ -13,8 +13,8 @@ namespace sylph_training {
 
 /// How demonstrations are made of worlds.
 struct DemonstrationSettings {
-  double first_solution_s = 2.0;  ///< longest search for a first plan [s], > 0
-  double improvement_s = 0.25;    ///< improvement of a plan [s], > 0
+  double first_solution_s = 2.0;  ///< longest search for a first plan [s of processorTime()], > 0
+  double improvement_s = 0.25;    ///< improvement of a plan [s of processorTime()], > 0
   int samples_per_world = 2000;   ///< about, > 0
   int samples_per_scene = 32;     ///< at most, > 0
   double rest_share = 0.2;  ///< chance to keep a sample of an agent that stays on its goal, 0 ... 1
@@ -25,6 +25,10 @@ struct DemonstrationSettings {
   /// @throws std::runtime_error with one line naming file, line, field and what is allowed
   static DemonstrationSettings read(const sylph::YamlMap& yaml);
 };
+
+/// Processor time of the calling thread [s]: demonstrations are as good on a machine that other
+/// work keeps busy.
+double processorTime();
 
 /// A plan by LaCAM and its anytime improvement.
 /// @return none if no plan was found in time
