@@ -18,12 +18,9 @@ constexpr std::array<const char*, 4> kValidated = {"solved", "goals_reached", "e
                                                    "external_reward"};
 
 /// The model, with what the phase before would have exported.
-PolicyModel& prepared(RunState& state, const Smp3oSettings& settings) {
+PolicyModel& learningModel(RunState& state) {
   copyWeights(state.average, state.model);
   state.model->requireGradients(true);
-  const auto type = encoderType(settings.precision, state.model, state.settings.device);
-  state.model->setEncoderType(type);
-  state.average->setEncoderType(type);
   return state.model;
 }
 
@@ -32,7 +29,7 @@ PolicyModel& prepared(RunState& state, const Smp3oSettings& settings) {
 Smp3oPhase::Smp3oPhase(const Smp3oSettings& settings, RunState& state)
     : settings_(settings),
       state_(&state),
-      learner_(prepared(state, settings), settings.learner, state.settings.device),
+      learner_(learningModel(state), settings.learner, state.settings.device),
       rng_(state.settings.seed + kRngOffset) {
   if (settings.imitation_rate > 0.0) {
     imitation_ = std::make_unique<ImitationPhase>(*settings.imitation, state);
@@ -40,6 +37,9 @@ Smp3oPhase::Smp3oPhase(const Smp3oSettings& settings, RunState& state)
 }
 
 void Smp3oPhase::prepare() {
+  const auto type = encoderType(settings_.precision, state_->model, state_->settings.device);
+  state_->model->setEncoderType(type);
+  state_->average->setEncoderType(type);
   if (imitation_) {
     imitation_->prepare();
   }
