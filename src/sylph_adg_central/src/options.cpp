@@ -29,7 +29,7 @@ CentralOptions readCentralOptions(sylph_ros::ParameterReader& reader) {
 CentralOptions loadCentralOptions(const ros::NodeHandle& private_nh,
                                   const sylph::Experiment& experiment) {
   CentralOptions options = sylph_ros::readStrictly(private_nh, readCentralOptions);
-  options.limits.start_offset_m = sylph::largestStartOffset(experiment);
+  options.limits.start = sylph::startLimits(experiment);
   return options;
 }
 

@@ -185,7 +185,7 @@ TEST_F(CentralNodeTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
   ASSERT_TRUE(moveTo({4, 4}));
   send(jointActions(mission(), names_, 1));
   ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
-  EXPECT_EQ("plan 1: it starts robot_2 in (3,3), but the robot is in (4,4)", state_.message);
+  EXPECT_EQ("plan 1: robot_2 is in (4,4), and not in its start (3,3)", state_.message);
   EXPECT_FALSE(result()["success"].as<bool>());
   ASSERT_TRUE(moveTo({3, 3}));
   send(jointActions(mission(), names_, state_.last_plan_id + 1));

@@ -35,7 +35,7 @@ sylph::RobotControllerOptions controllerOptions(const sylph::Experiment& experim
 sylph::ExecutionLimits limitsOf(const sylph::Experiment& experiment,
                                 const RehearsalOptions& options) {
   sylph::ExecutionLimits limits = options.limits;
-  limits.start_offset_m = largestStartOffset(experiment);
+  limits.start = startLimits(experiment);
   return limits;
 }
 

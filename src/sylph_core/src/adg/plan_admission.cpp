@@ -8,15 +8,6 @@
 #include "sylph_core/mapf/check_plan.hpp"
 
 namespace sylph {
-namespace {
-
-std::string metres(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.3f m", value);
-  return text;
-}
-
-}  // namespace
 
 PlanAdmission::PlanAdmission(std::vector<std::string> robots, int rows, int cols,
                              const CellFrame& frame, const ExecutionLimits& limits)
@@ -148,23 +139,39 @@ std::optional<std::string> PlanAdmission::reasonNotNew(const PresentExecution& p
 }
 
 std::optional<std::string> PlanAdmission::reasonNotAtStart(const PresentExecution& present) const {
+  std::string reasons;
   for (std::size_t agent = 0; agent < pending_->robots.size(); ++agent) {
     const std::string& name = pending_->robots[agent];
-    const Point place = position(present.monitors[*indexOf(name)].report()->pose.value());
-    const Cell start = pending_->plan.front()[agent];
-    const Cell cell = frame_.toCell(place);
-    if (cell != start) {
-      return "it starts " + name + " in " + toString(start) + ", but the robot is in " +
-             toString(cell);
-    }
-    const Point center = frame_.toPoint(start);
-    const double offset_m = std::max(std::abs(place.x - center.x), std::abs(place.y - center.y));
-    if (offset_m > limits_.start_offset_m) {
-      return name + " stands " + metres(offset_m) + " off the centre of its start " +
-             toString(start) + ": at most " + metres(limits_.start_offset_m) + " are allowed";
+    const Pose2d& pose = present.monitors[*indexOf(name)].report()->pose.value();
+    if (const auto reason = reasonNotIn(pending_->plan.front()[agent], pose)) {
+      reasons += (reasons.empty() ? "" : "; ") + name + " " + *reason;
     }
   }
-  return bystanderInTheWay(present);
+  return reasons.empty() ? bystanderInTheWay(present) : std::make_optional(reasons);
+}
+
+std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const Pose2d& pose) const {
+  const Cell cell = frame_.toCell(position(pose));
+  if (cell != start) {
+    return "is in " + toString(cell) + ", and not in its start " + toString(start);
+  }
+  const double along = std::abs(std::cos(pose.yaw_rad));
+  const double across = std::abs(std::sin(pose.yaw_rad));
+  const StartLimits& limits = limits_.start;
+  const Vector2 offset = displacement(frame_.toPoint(start), position(pose));
+  const Vector2 free{limits.room_m - (limits.length_m * along + limits.width_m * across) / 2.0,
+                     limits.room_m - (limits.length_m * across + limits.width_m * along) / 2.0};
+  if (std::abs(offset.x) <= free.x && std::abs(offset.y) <= free.y) {
+    return std::nullopt;
+  }
+  char text[160];
+  std::snprintf(text, sizeof(text),
+                "stands %.0f mm in x and %.0f mm in y off the centre of its start %s, turned by "
+                "%.0f deg: at most %.0f and %.0f mm are allowed, turned like that",
+                offset.x * 1e3, offset.y * 1e3, toString(start).c_str(),
+                pose.yaw_rad * 180.0 / M_PI, std::max(0.0, free.x) * 1e3,
+                std::max(0.0, free.y) * 1e3);
+  return text;
 }
 
 std::optional<std::string> PlanAdmission::bystanderInTheWay(const PresentExecution& present) const {

@@ -37,13 +37,12 @@ SafetyMargin requireSafetyMargin(const Experiment& experiment) {
   throw std::runtime_error(experiment.path + ": no safety margin: " + margin.summary() + changes);
 }
 
-double largestStartOffset(const Experiment& experiment) {
-  double offset_m = experiment.cell_size_m / 2.0;
-  for (const RobotSpec& robot : experiment.robots) {
-    const double reach_m = std::max(robot.length_m, robot.width_m) / 2.0;
-    offset_m = std::min(offset_m, experiment.cell_size_m / 2.0 - reach_m);
-  }
-  return offset_m;
+StartLimits startLimits(const Experiment& experiment) {
+  const SafetyFactors factors = safetyFactors(experiment);
+  const SafetyMargin margin = requireSafetyMargin(experiment);
+  const double half_m = experiment.cell_size_m / 2.0;
+  const double intrusion_m = margin.reach_m + std::max(margin.error_m, margin.overrun_m) - half_m;
+  return {factors.length_m, factors.width_m, half_m - std::max(0.0, intrusion_m)};
 }
 
 std::vector<Footprint> footprintsOf(const Experiment& experiment) {

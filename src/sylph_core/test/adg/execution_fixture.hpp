@@ -46,6 +46,7 @@ struct Robot {
   int done = 0;
   std::map<int, TaskOrder> tasks;
   Point position;
+  double yaw_rad = 0.0;
   std::vector<int> carried_out;  ///< sequences of the present plan
 
   int accepted() const {
@@ -84,7 +85,7 @@ struct Robot {
     report.accepted = accepted();
     report.done = done;
     report.state = hasTask() ? RobotState::Moving : RobotState::Idle;
-    report.pose = Pose2d{position.x, position.y, 0.0};
+    report.pose = Pose2d{position.x, position.y, yaw_rad};
     return report;
   }
 };

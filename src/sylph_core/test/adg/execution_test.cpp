@@ -68,18 +68,32 @@ TEST_F(ExecutionTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
   place({{0, 0}, {1, 1}, {0, 2}});
   submit(queue(), 1);
   EXPECT_EQ(ExecutionPhase::Refused, execution_->phase());
-  EXPECT_EQ("plan 1: it starts robot_1 in (0,1), but the robot is in (1,1)", execution_->message());
+  EXPECT_EQ("plan 1: robot_1 is in (1,1), and not in its start (0,1)", execution_->message());
 }
 
 TEST_F(ExecutionTest, RefusesAStartOffTheCentre) {
   place(queue().front());
   robots_[1].position.x += 0.05;
+  robots_[2].yaw_rad = 0.5;
   report(1);
+  report(2);
   submit(queue(), 1);
   EXPECT_EQ(
-      "plan 1: robot_1 stands 0.050 m off the centre of its start (0,1): at most 0.035 m are "
-      "allowed",
+      "plan 1: robot_1 stands 50 mm in x and 0 mm in y off the centre of its start (0,1), turned "
+      "by 0 deg: at most 27 and 42 mm are allowed, turned like that; robot_2 stands 0 mm in x and "
+      "0 mm in y off the centre of its start (0,2), turned by 29 deg: at most 0 and 0 mm are "
+      "allowed, turned like that",
       execution_->message());
+}
+
+TEST_F(ExecutionTest, AllowsAStartThatKeepsToTheMiddleOfItsCell) {
+  place(queue().front());
+  robots_[0].position.y += 0.04;
+  robots_[1].position.x += 0.02;
+  robots_[2].yaw_rad = 0.1;
+  reportAll();
+  submit(queue(), 1);
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
 }
 
 TEST_F(ExecutionTest, RefusesARingByNames) {

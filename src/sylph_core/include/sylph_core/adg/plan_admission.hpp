@@ -58,6 +58,8 @@ class PlanAdmission {
                                             const PresentExecution& present) const;
   std::optional<std::string> reasonToWait(const PresentExecution& present, double now_s) const;
   std::optional<std::string> reasonNotNew(const PresentExecution& present) const;
+  /// Why a robot with this pose may not start in a cell, to follow its name.
+  std::optional<std::string> reasonNotIn(const Cell& start, const Pose2d& pose) const;
   std::optional<std::string> reasonNotAtStart(const PresentExecution& present) const;
   std::optional<std::string> bystanderInTheWay(const PresentExecution& present) const;
 

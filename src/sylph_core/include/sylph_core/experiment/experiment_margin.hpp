@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "sylph_core/adg/execution_limits.hpp"
 #include "sylph_core/control/footprint.hpp"
 #include "sylph_core/control/safety_margin.hpp"
 #include "sylph_core/control/separation.hpp"
@@ -15,9 +16,9 @@ SafetyFactors safetyFactors(const Experiment& experiment);
 /// @throws std::runtime_error unless the verdict is Run, naming the file and what to change
 SafetyMargin requireSafetyMargin(const Experiment& experiment);
 
-/// How far off the centre of its start cell a robot may stand without reaching into the next one
-/// [m].
-double largestStartOffset(const Experiment& experiment);
+/// How its robots may stand where a plan starts, so that the margin holds for those who pass by.
+/// @throws std::runtime_error as requireSafetyMargin()
+StartLimits startLimits(const Experiment& experiment);
 
 /// Length and width of each robot; where they are is not set.
 std::vector<Footprint> footprintsOf(const Experiment& experiment);
