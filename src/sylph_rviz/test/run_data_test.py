@@ -7,7 +7,7 @@ import unittest
 import rosbag
 import rosunit
 import small_run
-from sylph_report import run_data
+from sylph_report import figures, run_data
 from sylph_report.bag_reader import BagReader
 
 
@@ -75,6 +75,18 @@ class RunDataTest(unittest.TestCase):
     def test_reads_the_tracking_error_from_the_end_of_a_report(self):
         for name, error_m in (("robot_0", 0.002), ("robot_1", 0.004)):
             self.assertEqual(set(self.run_data.robots[name].tracking_error_m), {error_m})
+
+    def test_knows_the_map_and_where_robots_were(self):
+        self.assertEqual(self.run_data.obstacles, [[False] * 4] * 2)
+        time_s, row, column, _ = figures.cells_of(self.run_data, self.run_data.robots["robot_1"])
+        self.assertAlmostEqual(time_s[0], 0.0)
+        for values, expected in ((row, (1.0, 1.0)), (column, (0.0, 3.0))):
+            self.assertAlmostEqual(values[0], expected[0])
+            self.assertAlmostEqual(values[-1], expected[1])
+
+    def test_names_robots_by_what_tells_them_apart(self):
+        self.assertEqual(figures.short_names(["robot_1", "robot_10"]), {"robot_1": "1", "robot_10": "10"})
+        self.assertEqual(figures.short_names(["cf1"]), {"cf1": "cf1"})
 
     def test_refuses_a_bag_that_is_cut_or_not_closed(self):
         path = os.path.join(self.folder.name, "run.bag")

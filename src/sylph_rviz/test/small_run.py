@@ -78,7 +78,8 @@ def write_bag(path, leave_out=(), compression="none"):
             write("/sylph/separation", gap, time_s)
             for index, name in enumerate(ROBOTS):
                 write(f"/{name}/pose", pose(index, time_s), time_s)
-                report = TaskReport(robot_id=name, tracking_error_m=0.002 * (index + 1))
+                place = pose(index, time_s).pose.position
+                report = TaskReport(robot_id=name, x=place.x, y=place.y, tracking_error_m=0.002 * (index + 1))
                 write(f"/{name}/task_report", report, time_s)
                 write(f"/{name}/task", Task(robot_id=name), time_s)
                 write(f"/{name}/cmd_vel", Twist(), time_s)

@@ -17,12 +17,14 @@ from sylph_report.ros_tools import changed_type, recorded_fleet
 SPEED_LIMIT_MPS = 0.25
 TRACKING_ERROR_M = 0.012
 CELL_SIZE_M = 0.3
+FOOTPRINT_M = (0.23, 0.20)
 
 # Topics, below the fleet's namespace.
 ADG_STATE = "sylph/adg_state"
 JOINT_ACTIONS = "sylph/joint_actions"
 SEPARATION = "sylph/separation"
 TRUTH = "sylph/simulation_truth"
+MAP = "map"
 TASK_REPORT_TYPE = "sylph_msgs/TaskReport"
 
 # Numbers at the end of a TaskReport: x, y, yaw, tracking error, heading error, age of the pose. There are so many reports
@@ -41,6 +43,7 @@ MODES = {1: "paused", 2: "stopped"}
 class RobotRun:
     """One robot's run. The lists of one kind of sample have the same length."""
 
+    start_cell: tuple = ()  # row, column
     time_s: list = field(default_factory=list)
     cells_done: list = field(default_factory=list)  # moves measured as DONE since the run began
     waiting: list = field(default_factory=list)
@@ -51,6 +54,7 @@ class RobotRun:
     planned_cells: list = field(default_factory=list)
     error_time_s: list = field(default_factory=list)
     tracking_error_m: list = field(default_factory=list)
+    pose: list = field(default_factory=list)  # at error_time_s: (x [m], y [m], yaw [rad]), NaN before the first one
 
 
 @dataclass
@@ -61,6 +65,8 @@ class Run:
     robots: dict = field(default_factory=dict)  # name -> RobotRun, in the mission's order
     separation: list = field(default_factory=list)  # (time_s, gap_m)
     separation_limit_m: float = 0.0
+    obstacles: list = field(default_factory=list)  # rows of cells from the bag's map, the first is the northern one
+    footprint_m: tuple = FOOTPRINT_M
     truth: dict = field(default_factory=dict)  # ground truth of a simulation
     result: dict = field(default_factory=dict)
     events: list = field(default_factory=list)
@@ -113,6 +119,8 @@ def _load_experiment(run, path):
     try:
         execution = dict(content.get("execution") or {})
         run.cell_size_m = float(content.get("cell_size_m", run.cell_size_m))
+        length, width = content.get("footprint_m", run.footprint_m)
+        run.footprint_m = (float(length), float(width))
         run.speed_limit_mps = float(execution.get("speed_limit_mps", run.speed_limit_mps))
         run.tracking_limit_m = float(execution.get("tracking_error_m", run.tracking_limit_m))
     except (TypeError, ValueError) as error:
@@ -182,7 +190,7 @@ def _read_bag(run, bag):
     types = bag.topics()
     fleet = recorded_fleet(types) or "/"
     reports = [topic for topic, type_name in types.items() if type_name == TASK_REPORT_TYPE]
-    wanted = [fleet + topic for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION, TRUTH)] + reports
+    wanted = [fleet + topic for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION, TRUTH, MAP)] + reports
     for topic in (ADG_STATE, JOINT_ACTIONS, SEPARATION):
         if fleet + topic not in types:
             run.missing.append(f"run.bag: has no {fleet}{topic}")
@@ -201,7 +209,7 @@ def _read_bag(run, bag):
             states += 1
             if reader.is_running() and states % every and index != last[topic]:
                 continue
-        if topic == fleet + TRUTH and index != last[topic]:  # it counts up
+        if topic in (fleet + TRUTH, fleet + MAP) and index != last[topic]:  # one counts up, the other stays
             continue
         reader.take(topic[len(fleet):], classes[topic]().deserialize(data), time_s)
     reader.finish()
@@ -227,6 +235,11 @@ class _RunReader:
             ]
         elif topic == SEPARATION:
             self._take_separation(message, received_s)
+        elif topic == MAP:
+            width = message.info.width
+            rows = [message.data[row * width : (row + 1) * width] for row in range(message.info.height)]
+            self._run.obstacles = [[cell != 0 for cell in row] for row in reversed(rows)]
+            self._run.cell_size_m = round(message.info.resolution, 6)  # a float32
         elif topic == TRUTH:
             self._run.truth = {
                 "true smallest gap [m]": message.min_separation_m,
@@ -239,6 +252,7 @@ class _RunReader:
             robot = self._run.robots.setdefault(name, RobotRun())
             robot.error_time_s.append(received_s - self._start_s)
             robot.tracking_error_m.append(numbers[3])
+            robot.pose.append(numbers[:3])
 
     def finish(self):
         """Adds the plans, whose steps are spread over their shortest possible time."""
@@ -287,6 +301,7 @@ class _RunReader:
         robot = self._run.robots.setdefault(state.robot_id, RobotRun())
         before = self._plan_start.get(self._plan_id, (0.0, {}))[1].get(state.robot_id, 0)
         held = mode in MODES and state.tasks_done < state.tasks_total
+        robot.start_cell = robot.start_cell or (state.cell.row, state.cell.col)
         robot.time_s.append(time_s)
         robot.cells_done.append(before + state.tasks_done)
         robot.waiting.append(bool(state.waiting) or held)
