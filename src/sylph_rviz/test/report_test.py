@@ -7,13 +7,14 @@ import unittest
 
 import rosunit
 import small_run
+from PIL import Image
 from sylph_report.ros_tools import find_program
 
 REPORT = find_program("sylph_rviz", "sylph_report")
 
 
-def report(folder):
-    return subprocess.run([REPORT, folder], capture_output=True, text=True, check=False)
+def report(*arguments):
+    return subprocess.run([REPORT, *arguments], capture_output=True, text=True, check=False)
 
 
 class ReportTest(unittest.TestCase):
@@ -30,11 +31,20 @@ class ReportTest(unittest.TestCase):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         with open(self.path("report", "report.html"), encoding="utf-8") as file:
             page = file.read()
-        for figure in ("progress", "waiting", "separation", "social", "tracking"):
+        for figure in ("time_space", "progress", "waiting", "separation", "social", "tracking"):
             self.assertIn(f'src="{figure}.png"', page)
             self.assertGreater(os.path.getsize(self.path("report", f"{figure}.png")), 1000)
+        self.assertIn('src="run.gif"', page)
+        with Image.open(self.path("report", "run.gif")) as picture:
+            self.assertGreater(picture.n_frames, 50)
+        self.assertLess(os.path.getsize(self.path("report", "run.gif")), 1e6)
         self.assertIn("min_separation_m", page)
         self.assertIn("mode stop", page)
+
+    def test_leaves_out_the_animation_when_told_so(self):
+        small_run.write_folder(self.folder.name)
+        self.assertEqual(report(self.folder.name, "--no-animation").returncode, 0)
+        self.assertFalse(os.path.exists(self.path("report", "run.gif")))
 
     def test_reports_what_is_there_and_names_in_one_line_what_is_missing(self):
         with open(self.path("result.yaml"), "w", encoding="utf-8") as file:

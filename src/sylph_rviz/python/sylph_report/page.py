@@ -4,6 +4,7 @@ import os
 
 from matplotlib import pyplot
 
+from sylph_report import animation
 from sylph_report.figures import all_figures
 from sylph_report.run_data import waiting_by_cause
 
@@ -17,10 +18,12 @@ td.number, th.number { text-align: right; }
 """
 
 
-def write(run, folder):
+def write(run, folder, is_animated=True):
     """Writes report.html and its figures into `folder`, which is made. Returns the page's path."""
     os.makedirs(folder, exist_ok=True)
     parts = [_head(run), _result_table(run)]
+    if is_animated:
+        parts.append(_animation(run, folder))
     for name, title, text, figure in all_figures(run):
         file_name = f"{name}.png"
         figure.savefig(os.path.join(folder, file_name), dpi=110, bbox_inches="tight")
@@ -35,6 +38,13 @@ def write(run, folder):
     with open(path, "w", encoding="utf-8") as file:
         file.write("\n".join(parts) + "</body></html>\n")
     return path
+
+
+def _animation(run, folder):
+    factor = animation.write(run, os.path.join(folder, "run.gif"))
+    if factor is None:
+        return ""
+    return f'<h2>The run</h2>\n<p>{factor:.1f} times as fast.</p>\n<img src="run.gif" alt="The run, animated">\n'
 
 
 def _head(run):
