@@ -12,6 +12,13 @@ namespace {
 constexpr double kDistanceFirst = 100.0;  // more than any difference of logits
 constexpr PolicyPatience kPatienceOfSearch = {50, 3, 1'000'000};
 
+/// Where agents get no nearer with the network, PIBT by distance takes them out of it.
+PolicyPatience patienceOfPibt() {
+  PolicyPatience patience;
+  patience.configurations = 20;
+  return patience;
+}
+
 class PolicyGuide : public Guide {
  public:
   PolicyGuide(std::shared_ptr<const Policy> policy, PolicyUse use, const PolicySettings& settings,
@@ -34,7 +41,7 @@ class PolicyGuide : public Guide {
     }
     return std::make_unique<PolicyGenerator>(
         *problem_, steps_, settings_.moves,
-        use_ == PolicyUse::Search ? kPatienceOfSearch : PolicyPatience(), *rng_);
+        use_ == PolicyUse::Search ? kPatienceOfSearch : patienceOfPibt(), *rng_);
   }
 
   bool isPolicyGuided() const override { return true; }

@@ -171,6 +171,18 @@ void expectSolvedExactlyIfSolvable(bool rotations) {
   EXPECT_LT(solvable_count, kInstances * 3 / 4);
 }
 
+TEST(SylphPibtTest, GoesByDistanceWhereTheNetworkLeadsNoNearer) {
+  const TensorFile policy = RandomWeights(smallShape(), 1).file();
+  TensorFile cost = policy;
+  cost.tensors["heads.cost.linear2.bias"].values[static_cast<std::size_t>(Action::Stay)] = 1e6F;
+  const auto idle = std::make_shared<const Policy>(withCostNetwork(policy, cost), "idle");
+  const Instance instance{Grid(8, 8), {{0, 0}, {7, 0}}, {{0, 7}, {7, 7}}, {}};
+  PlanningLimits limits;
+  limits.max_steps = 300;
+  Rng rng(1);
+  EXPECT_EQ(Outcome::Solved, makePlanner("sylph_pibt", idle)->plan(instance, limits, rng).outcome);
+}
+
 TEST(SylphLacamTest, SolvesExactlyTheSolvableWhateverTheWeightsAndNeverForMoreThanLacam) {
   expectSolvedExactlyIfSolvable(false);
   expectSolvedExactlyIfSolvable(true);
