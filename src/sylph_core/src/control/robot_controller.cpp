@@ -43,7 +43,10 @@ RobotController::RobotController(const RobotControllerOptions& options, const Gr
 TaskAnswer RobotController::onTask(const TaskOrder& task, double now_s) {
   const TaskAnswer answer = tasks_.offer(task, whereabouts(now_s));
   if (answer.verdict == TaskVerdict::Accepted) {
+    refusal_.clear();
     followTasks();
+  } else if (answer.verdict == TaskVerdict::Refused) {
+    refusal_ = answer.reason;
   }
   return answer;
 }
@@ -253,6 +256,9 @@ RobotReport RobotController::report(double now_s) const {
   report.done = tasks_.done();
   report.state = decision_.state;
   report.detail = decision_.detail;
+  if (report.detail.empty() && !refusal_.empty()) {
+    report.detail = "refuses " + refusal_;
+  }
   report.pose_age_s = watch_.age(now_s);
   if (watch_.last()) {
     report.pose = watch_.last()->pose;

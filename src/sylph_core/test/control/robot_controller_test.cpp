@@ -378,6 +378,30 @@ TEST(RobotControllerTest, TasksOfAPlanThatNobodyCarriesOutAreHeld) {
   EXPECT_EQ(2u, world.report().plan_id);
 }
 
+TEST(RobotControllerTest, ARefusedTaskIsTheReasonThatItReports) {
+  World world({2, 0});
+  world.grid.setObstacle({2, 1});
+  world.controller = RobotController({}, world.grid, world.frame);
+  world.run(0.2);
+  world.sendEastward(1);
+  world.run(0.2);
+  EXPECT_EQ("refuses task 0 of plan 1 from (2,0) to (2,1): not a free cell of the map",
+            world.report().detail);
+  world.controller.onTask({1, 0, {2, 0}, {1, 0}}, world.now_s);
+  world.run(0.1);
+  EXPECT_EQ("", world.report().detail);
+}
+
+TEST(RobotControllerTest, ANodeThatStartsAgainFarFromItsFirstTaskSaysSo) {
+  World world({2, 3});
+  world.run(0.2);
+  world.sendEastward(2);
+  world.run(0.2);
+  EXPECT_EQ(0, world.report().accepted);
+  EXPECT_EQ("refuses task 0 of plan 1 from (2,0) to (2,1): the robot is in (2,3)",
+            world.report().detail);
+}
+
 TEST(RobotControllerTest, WhatTheCentralNodeSaidBeforeItsLastWordIsLate) {
   World world({2, 0});
   world.run(0.2);

@@ -103,6 +103,7 @@ class RobotController {
   int first_task_ = 0;  // of the plan, that the path begins with
   int arrival_poses_ = 0;
   RobotDecision decision_;
+  std::string refusal_;  // of the last task that was refused, until one is accepted
 };
 
 }  // namespace sylph
