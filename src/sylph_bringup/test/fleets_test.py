@@ -29,7 +29,7 @@ class Fleet:
         self.namespace = namespace
         self.robots = robots
         self.run_folder = os.path.join(folder, f"the run of {namespace}")
-        self.arguments = ["rviz:=false", f"natnet_port:={natnet_port}", f"run_folder:={self.run_folder}"]
+        self.arguments = ["rviz:=false", "report:=false", f"natnet_port:={natnet_port}", f"run_folder:={self.run_folder}"]
 
     def start(self, experiment, *arguments, **environment):
         command = ["roslaunch", PACKAGE, "lab_experiment.launch", f"experiment:={experiment}"]

@@ -27,7 +27,7 @@ def wait_until(condition):
 
 
 class RecordTest(unittest.TestCase):
-    def record(self, namespace):
+    def record(self, namespace, *options, then=lambda folder: None):
         """The topics of a bag of the fleet in this namespace, while two fleets speak: name -> number of messages."""
         fleet = {"ROS_NAMESPACE": namespace} if namespace else {}
         prefix = f"/{namespace}" if namespace else ""
@@ -37,7 +37,10 @@ class RecordTest(unittest.TestCase):
         rospy.Publisher("/other/cf1/cmd_vel", Twist, queue_size=1)
         rospy.set_param(prefix + "/sylph/run_folder", "")
         with tempfile.TemporaryDirectory() as folder:
-            recorder = subprocess.Popen([RECORD], env=dict(os.environ, **fleet))
+            os.mkdir(os.path.join(folder, "run"))
+            with open(os.path.join(folder, "run", "result.yaml"), "w", encoding="utf-8") as file:
+                file.write("success: true\n")
+            recorder = subprocess.Popen([RECORD, *options], env=dict(os.environ, **fleet))
             try:
                 rospy.set_param(prefix + "/sylph/run_folder", os.path.join(folder, "run"))
                 publishers = (state, command)
@@ -54,6 +57,7 @@ class RecordTest(unittest.TestCase):
             self.assertFalse(os.path.exists(path + ".active"))
             with rosbag.Bag(path) as bag:
                 topics = bag.get_type_and_topic_info().topics
+            then(os.path.join(folder, "run"))
             return {name: topic.message_count for name, topic in topics.items()}
 
     def test_records_inputs_and_decisions_into_the_run_folder_and_closes_the_bag(self):
@@ -63,6 +67,12 @@ class RecordTest(unittest.TestCase):
 
     def test_records_its_own_fleet_alone(self):
         self.assertEqual(set(self.record("lab")), {"/lab/sylph/adg_state", "/lab/cf1/cmd_vel"})
+
+    def test_writes_a_report_once_the_bag_is_closed(self):
+        def wait_for_page(folder):
+            self.assertTrue(wait_until(lambda: os.path.isfile(os.path.join(folder, "report", "report.html"))))
+
+        self.assertIn("/sylph/adg_state", self.record("", "--report", then=wait_for_page))
 
 
 if __name__ == "__main__":
