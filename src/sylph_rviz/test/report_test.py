@@ -8,6 +8,7 @@ import unittest
 import rosunit
 import small_run
 from PIL import Image
+from sylph_report import comparison, run_data
 from sylph_report.ros_tools import find_program
 
 REPORT = find_program("sylph_rviz", "sylph_report")
@@ -46,6 +47,32 @@ class ReportTest(unittest.TestCase):
         self.assertEqual(report(self.folder.name, "--no-animation").returncode, 0)
         self.assertFalse(os.path.exists(self.path("report", "run.gif")))
 
+    def test_compares_two_runs(self):
+        folders = [self.path("first"), self.path("second")]
+        for folder, result in zip(folders, ("success: true\nexecution_s: 9.0\nrobots: 2\nstops: 0\n",
+                                            "success: true\nexecution_s: 7.5\nrobots: 2\nstops: 1\n")):
+            os.mkdir(folder)
+            small_run.write_folder(folder)
+            with open(os.path.join(folder, "result.yaml"), "w", encoding="utf-8") as file:
+                file.write(result)
+        rows = {row[0]: row[1:] for row in comparison.rows(*map(run_data.load, folders))}
+        self.assertEqual(rows["success"], (True, True, None, None))
+        self.assertEqual(rows["stops"], (0, 1, 1, 0))
+        self.assertEqual(rows["execution_s"], (9.0, 7.5, -1.5, 1))
+        self.assertEqual(rows["robots"], (2, 2, 0, None))
+        self.assertAlmostEqual(rows["waited [s]: silent"][0], 1.0, places=3)
+        result = report("--no-animation", "--compare", *folders)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        with open(result.stdout.strip(), encoding="utf-8") as file:
+            page = file.read()
+        self.assertIn('<td class="number better">7.5 \u2713</td><td class="number">-1.5</td>', page)
+        self.assertIn('src="../../first/report/time_space.png"', page)
+
+    def test_calls_no_failed_run_the_quicker_one(self):
+        runs = [run_data.Run("done", result={"success": True, "execution_s": 60.0}),
+                run_data.Run("failed", result={"success": False, "execution_s": 5.0})]  # fmt: skip
+        self.assertEqual([row[4] for row in comparison.rows(*runs)], [0, None])
+
     def test_reports_what_is_there_and_names_in_one_line_what_is_missing(self):
         with open(self.path("result.yaml"), "w", encoding="utf-8") as file:
             file.write("success: false\n")
@@ -71,6 +98,7 @@ class ReportTest(unittest.TestCase):
 
     def test_refuses_a_folder_without_a_run(self):
         self.assert_refused(report(self.folder.name), "has neither run.bag")
+        self.assert_refused(report(), "give either a run folder or --compare with two")
         self.assert_refused(report(self.path("nowhere")), "no such folder")
 
     def test_says_so_when_files_are_broken(self):

@@ -61,13 +61,14 @@ def _result_table(run):
     if not values:
         return ""
     rows = "".join(
-        f'<tr><td>{html.escape(str(key))}</td><td class="number">{html.escape(_short(value))}</td></tr>\n'
+        f'<tr><td>{html.escape(str(key))}</td><td class="number">{html.escape(short(value))}</td></tr>\n'
         for key, value in values.items()
     )
     return f"<h2>Result</h2>\n<table>\n{rows}</table>"
 
 
-def _short(value):
+def short(value):
+    """A value of a result as a reader wants it."""
     return f"{value:.4g}" if isinstance(value, float) else str(value)
 
 
