@@ -47,6 +47,23 @@ struct Solutions {
   long nodes = 0;  ///< configurations generated
 };
 
+/// A solution by the policy, within its share of the time. After a few steps it is known how long
+/// as many as the solution by distance has would take: where that is too long it is given up at
+/// once, and improvement has the time.
+/// @param lacam  guided by the policy, from its first step on
+Lacam::Status searchByPolicy(Lacam& lacam, std::size_t steps_by_distance,
+                             const Deadline& deadline) {
+  const Deadline turn = deadline.within(kSettings.policy_share * deadline.remaining());
+  const double time_s = turn.remaining();
+  const Lacam::Status status = lacam.search(turn, kSettings.measured_policy_steps);
+  const double step_s = turn.elapsed() / static_cast<double>(kSettings.measured_policy_steps);
+  if (status != Lacam::Status::Unfinished ||
+      step_s * static_cast<double>(steps_by_distance) > time_s) {
+    return status;
+  }
+  return lacam.search(turn, kSettings.most_policy_steps - kSettings.measured_policy_steps);
+}
+
 /// By distance a solution mostly is a matter of milliseconds. It is what there is if the network is
 /// too slow for the time limit, or leads to something worse.
 Solutions findSolutions(const SearchProblem& problem, Guide& guide, const Deadline& deadline,
@@ -61,8 +78,7 @@ Solutions findSolutions(const SearchProblem& problem, Guide& guide, const Deadli
   }
   const auto generator = guide.makeGenerator();
   Lacam lacam(problem, *generator, rng);
-  const auto status = lacam.search(deadline.within(kSettings.policy_share * deadline.remaining()),
-                                   kSettings.most_policy_steps);
+  const auto status = searchByPolicy(lacam, solutions.plans.front().size() - 1, deadline);
   solutions.nodes += lacam.nodeCount();
   if (status == Lacam::Status::Solved) {
     solutions.plans.push_back(lacam.plan());

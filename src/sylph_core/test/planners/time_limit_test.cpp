@@ -6,6 +6,7 @@
 #include "sylph_core/grid/generators.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 #include "sylph_core/mapf/random_instance.hpp"
+#include "sylph_core/planners/lacam_planner.hpp"
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_core/search/distance_generator.hpp"
 #include "sylph_core/search/lacam.hpp"
@@ -47,6 +48,68 @@ TEST(TimeLimitProperty, NoPlannerGoesOnAfterTheLimit) {
       EXPECT_TRUE(!violation || violation->kind == ViolationKind::GoalNotReached)
           << violation->message;
       EXPECT_LE(result.social.size(), result.plan.size() - 1);
+    }
+  }
+}
+
+/// By distance, a second a configuration.
+class SlowGuide : public Guide {
+ public:
+  SlowGuide(const SearchProblem& problem, Rng& rng, double& now_s)
+      : problem_(&problem), rng_(&rng), now_s_(&now_s) {}
+
+  std::unique_ptr<ConfigurationGenerator> makeGenerator() override {
+    class Generator : public ConfigurationGenerator {
+     public:
+      explicit Generator(SlowGuide& guide)
+          : guide_(&guide), by_distance_(makeDistanceGenerator(*guide.problem_, 0, *guide.rng_)) {}
+      std::unique_ptr<JointSteps> enter(const Vertices& configuration, const Vertices* before,
+                                        const Priorities& priorities) override {
+        *guide_->now_s_ += 1.0;
+        ++guide_->calls_;
+        return by_distance_->enter(configuration, before, priorities);
+      }
+
+     private:
+      SlowGuide* guide_;
+      std::unique_ptr<ConfigurationGenerator> by_distance_;
+    };
+    return std::make_unique<Generator>(*this);
+  }
+  bool isPolicyGuided() const override { return true; }
+  std::vector<SocialState> socialStates(const std::vector<Vertices>& /*plan*/,
+                                        const Deadline& /*deadline*/) override {
+    return {};
+  }
+  long policyCalls() const override { return calls_; }
+
+ private:
+  const SearchProblem* problem_;
+  Rng* rng_;
+  double* now_s_;
+  long calls_ = 0;
+};
+
+TEST(TimeLimitTest, APolicyTooSlowForItsShareIsGivenUpAtOnce) {
+  double now_s = 0.0;
+  const LacamPlanner planner("slow",
+                             [&now_s](const SearchProblem& problem, const Instance&, int,
+                                      Rng& rng) -> std::unique_ptr<Guide> {
+                               return std::make_unique<SlowGuide>(problem, rng, now_s);
+                             });
+  const Instance instance{Grid(20, 20), {{0, 0}}, {{19, 19}}, {}};
+  PlanningLimits limits;
+  limits.clock = [&now_s] { return now_s; };
+  limits.first_solution_only = true;
+  Rng rng(1);
+  for (const auto& [limit_s, is_enough] : {std::pair{600.0, false}, {6000.0, true}}) {
+    limits.time_limit_s = limit_s;
+    const PlanningResult result = planner.plan(instance, limits, rng);
+    EXPECT_EQ(Outcome::Solved, result.outcome);
+    if (is_enough) {
+      EXPECT_GE(result.statistics.policy_calls, 38);
+    } else {
+      EXPECT_LE(result.statistics.policy_calls, 5);
     }
   }
 }
