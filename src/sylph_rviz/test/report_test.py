@@ -7,8 +7,9 @@ import unittest
 
 import rosunit
 import small_run
+import yaml
 from PIL import Image
-from sylph_report import comparison, run_data
+from sylph_report import comparison, rehearsal, run_data
 from sylph_report.ros_tools import find_program
 
 REPORT = find_program("sylph_rviz", "sylph_report")
@@ -72,6 +73,39 @@ class ReportTest(unittest.TestCase):
         runs = [run_data.Run("done", result={"success": True, "execution_s": 60.0}),
                 run_data.Run("failed", result={"success": False, "execution_s": 5.0})]  # fmt: skip
         self.assertEqual([row[4] for row in comparison.rows(*runs)], [0, None])
+
+    def test_compares_a_run_with_rehearsals_that_finished(self):
+        run = run_data.Run("run", result={"execution_ratio": 1.5, "min_separation_m": 0.05})
+        figures = {"ideal_execution_s": 10.0, "min_separation_m": 0.05}
+        rehearsals = [dict(figures, ending="finished", execution_s=seconds) for seconds in (11.0, 12.0, 13.0)]
+        page = rehearsal.table(run, rehearsals + [dict(figures, ending="stopped", execution_s=99.0)])
+        self.assertIn("3 of 4 rehearsals finished", page)
+        cells = "".join(f'<td class="number">{value}</td>' for value in (1.5, 1.1, 1.2, 1.3))
+        self.assertIn(f"<tr><td>execution_ratio</td>{cells}<td>above all</td></tr>", page)
+        self.assertIn("within", page)
+
+    def test_rehearses_what_the_bag_holds(self):
+        small_run.write_folder(self.folder.name)
+        with open(self.path("experiment.yaml"), "w", encoding="utf-8") as file:
+            file.write("map: away.map\nrobots: [{name: robot_1}, {name: robot_0, rigid_body: b}]\n"
+                       "planning: {planner: lacam, weights: away.safetensors}\n")  # fmt: skip
+        run = run_data.load(self.folder.name)
+        with open(rehearsal.write_experiment(run, self.folder.name, self.folder.name), encoding="utf-8") as file:
+            experiment = yaml.safe_load(file)
+        self.assertEqual(experiment["robots"], [
+            {"name": "robot_0", "rigid_body": "b", "start": [0, 0], "goal": [0, 3]},
+            {"name": "robot_1", "start": [1, 0], "goal": [1, 3]},
+        ])  # fmt: skip
+        self.assertEqual(experiment["planning"], {"planner": "lacam"})
+        with open(self.path(experiment["map"]), encoding="utf-8") as file:
+            self.assertEqual(file.read(), "type octile\nheight 2\nwidth 4\nmap\n....\n....\n")
+
+    def test_says_why_it_is_not_compared_with_a_rehearsal(self):
+        with open(self.path("result.yaml"), "w", encoding="utf-8") as file:
+            file.write("success: false\n")
+        result = report(self.folder.name, "--rehearse", "2")
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("not compared with a rehearsal", result.stderr)
 
     def test_reports_what_is_there_and_names_in_one_line_what_is_missing(self):
         with open(self.path("result.yaml"), "w", encoding="utf-8") as file:

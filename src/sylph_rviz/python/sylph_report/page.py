@@ -18,10 +18,10 @@ td.number, th.number { text-align: right; }
 """
 
 
-def write(run, folder, is_animated=True):
-    """Writes report.html and its figures into `folder`, which is made. Returns the page's path."""
+def write(run, folder, is_animated=True, rehearsal=""):
+    """Writes report.html and its figures into `folder`, which is made. `rehearsal` is HTML. Returns the page's path."""
     os.makedirs(folder, exist_ok=True)
-    parts = [_head(run), _result_table(run)]
+    parts = [_head(run), _result_table(run), rehearsal]
     if is_animated:
         parts.append(_animation(run, folder))
     for name, title, text, figure in all_figures(run):

@@ -44,6 +44,7 @@ class RobotRun:
     """One robot's run. The lists of one kind of sample have the same length."""
 
     start_cell: tuple = ()  # row, column
+    goal_cell: tuple = ()
     time_s: list = field(default_factory=list)
     cells_done: list = field(default_factory=list)  # moves measured as DONE since the run began
     waiting: list = field(default_factory=list)
@@ -302,6 +303,7 @@ class _RunReader:
         before = self._plan_start.get(self._plan_id, (0.0, {}))[1].get(state.robot_id, 0)
         held = mode in MODES and state.tasks_done < state.tasks_total
         robot.start_cell = robot.start_cell or (state.cell.row, state.cell.col)
+        robot.goal_cell = (state.goal.row, state.goal.col)
         robot.time_s.append(time_s)
         robot.cells_done.append(before + state.tasks_done)
         robot.waiting.append(bool(state.waiting) or held)
