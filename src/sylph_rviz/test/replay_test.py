@@ -10,6 +10,8 @@ import rospy
 import rostest
 import small_run
 from geometry_msgs.msg import Twist
+from nav_msgs.msg import OccupancyGrid
+from sylph_msgs.msg import AdgState
 from sylph_report.ros_tools import find_program
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -44,6 +46,19 @@ class ReplayTest(unittest.TestCase):
         ))  # fmt: skip
         self.assertIn("/robot_0/pose", self.topics_while_playing())
         self.assertEqual(bodies, set(small_run.ROBOTS))
+
+    def test_starts_where_it_is_told_with_the_map_that_the_bag_holds(self):
+        small_run.write_bag(self.bag)
+        maps, done = [], []
+        listeners = [
+            rospy.Subscriber("/map", OccupancyGrid, lambda message: maps.append((message.info.width, message.info.height))),
+            rospy.Subscriber("/sylph/adg_state", AdgState, lambda message: done.append(message.robots[0].tasks_done)),
+        ]
+        subprocess.run([REPLAY, self.bag, "--start", "2.5", "--exit-when-done"], timeout=DEADLINE_S, check=True)
+        for listener in listeners:
+            listener.unregister()
+        self.assertEqual(set(maps), {(4, 2)})
+        self.assertEqual(set(done), {2, 3})
 
     def test_plays_into_its_own_namespace(self):
         small_run.write_bag(self.bag)

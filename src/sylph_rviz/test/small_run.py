@@ -62,13 +62,16 @@ def write_bag(path, leave_out=(), compression="none"):
     """Writes the run's bag. Topics in `leave_out` are missing."""
     with rosbag.Bag(path, "w", compression, chunk_threshold=4096) as bag:
 
-        def write(topic, message, time_s):
+        def write(topic, message, time_s, is_latched=False):
             if topic not in leave_out:
-                bag.write(topic, message, rospy.Time.from_sec(START_S + time_s))
+                header = {"topic": topic, "type": message._type, "md5sum": message._md5sum,
+                          "message_definition": message._full_text, "latching": "1"}  # fmt: skip
+                bag.write(topic, message, rospy.Time.from_sec(START_S + time_s),
+                          connection_header=header if is_latched else None)  # fmt: skip
 
         grid = OccupancyGrid(data=[0] * 8)
         grid.info.width, grid.info.height, grid.info.resolution = 4, 2, 0.3
-        write("/map", grid, 0.0)
+        write("/map", grid, 0.0, is_latched=True)
         write("/sylph/joint_actions", joint_actions(), 0.0)
         write("/sylph/joint_actions", JointActions(), SECONDS)
         for tick in range(10 * SECONDS):
