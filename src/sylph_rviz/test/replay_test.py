@@ -67,8 +67,8 @@ class ReplayTest(unittest.TestCase):
         self.assertLessEqual({"/replay/robot_0/pose", "/replay/sylph/adg_state", "/replay/clock"}, played)
         self.assertEqual([topic for topic in played if not topic.startswith("/replay/")], [])
 
-    def assert_refused(self, reason):
-        result = subprocess.run([REPLAY, self.bag], capture_output=True, text=True, timeout=DEADLINE_S,
+    def assert_refused(self, reason, *options):
+        result = subprocess.run([REPLAY, self.bag, *options], capture_output=True, text=True, timeout=DEADLINE_S,
                                 check=False)  # fmt: skip
         self.assertEqual(result.returncode, 2)
         self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
@@ -89,6 +89,11 @@ class ReplayTest(unittest.TestCase):
         topics += [f"/{name}/pose" for name in small_run.ROBOTS]
         small_run.write_bag(self.bag, leave_out=topics)
         self.assert_refused("has none of the topics of a run")
+
+    def test_refuses_to_start_outside_of_the_bag(self):
+        small_run.write_bag(self.bag)
+        for start_s in ("-1", "4.5"):
+            self.assert_refused("--start: must be 0 ... 4.0", "--start", start_s)
 
     def test_refuses_a_bag_of_another_version_of_the_suite(self):
         small_run.write_old_bag(self.bag)

@@ -41,19 +41,23 @@ class BagReader:
     def _open(self, file):
         if file.read(len(MAGIC)) != MAGIC:
             raise rosbag.ROSBagFormatException("does not begin as a bag")
-        header, _ = _read_record(file)
-        index_at = struct.unpack("<Q", header[b"index_pos"])[0]
+        header_of_bag, _ = _read_record(file)
+        index_at = struct.unpack("<Q", header_of_bag[b"index_pos"])[0]
         if index_at == 0:
             raise rosbag.ROSBagUnindexedException()
         self.connections = {}  # id -> Connection
         self._index_at = index_at
         file.seek(index_at)
-        for _ in range(struct.unpack("<I", header[b"conn_count"])[0]):
+        for _ in range(struct.unpack("<I", header_of_bag[b"conn_count"])[0]):
             header, data = _read_record(file)
             fields = _fields(data)
             self.connections[struct.unpack("<I", header[b"conn"])[0]] = Connection(
                 header[b"topic"].decode(), fields[b"type"].decode(), fields[b"md5sum"].decode()
             )
+        spans = [_read_record(file)[0] for _ in range(struct.unpack("<I", header_of_bag[b"chunk_count"])[0])]
+        self.duration_s = 0.0
+        if spans:
+            self.duration_s = max(_time(s[b"end_time"]) for s in spans) - min(_time(s[b"start_time"]) for s in spans)
 
     def topics(self):
         """Topic -> type."""
@@ -87,6 +91,11 @@ def _read_record(file):
     header = file.read(_length(file.read(4)))
     data = file.read(_length(file.read(4)))
     return _fields(header), data
+
+
+def _time(data):
+    seconds, nanoseconds = struct.unpack("<II", data)
+    return seconds + 1e-9 * nanoseconds
 
 
 def _length(data):
