@@ -12,7 +12,7 @@ namespace sylph {
 namespace {
 
 // A base may do more than it is told, and stamps have noise.
-constexpr double kExcess = 1.5;
+constexpr double kExcess = 1.1;
 // Stamps that go back by more are of a motion capture that started again.
 constexpr double kClockRestart_s = 0.5;
 

@@ -155,6 +155,16 @@ TEST(PoseWatchTest, AJumpFromOneFrameToTheNextIsNotBelievedHoweverLongItLasts) {
   EXPECT_EQ("", feed.problem());
 }
 
+TEST(PoseWatchTest, AJumpAheadIsNotBelievedWhileARobotRampsToZero) {
+  PoseWatch watch({});
+  watch.offer(timedPose({}, 0.0, 0.0, 0.0), {});
+  const Pose2d driven{0.045, 0.0, 0.0};  // from full speed to a standstill
+  EXPECT_EQ(PoseVerdict::Good, watch.offer(timedPose({0.048, 0.0, 0.0}, 0.1, 0.0, 0.1), driven));
+  PoseWatch other({});
+  other.offer(timedPose({}, 0.0, 0.0, 0.0), {});
+  EXPECT_EQ(PoseVerdict::Jumped, other.offer(timedPose({0.09, 0.0, 0.0}, 0.1, 0.0, 0.1), driven));
+}
+
 TEST(PoseWatchTest, AJumpIsBelievedWhenTheOperatorConfirmsIt) {
   Feed feed;
   feed.frames(5, {1.0, 1.0, 0.0});

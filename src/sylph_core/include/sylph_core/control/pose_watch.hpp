@@ -45,8 +45,8 @@ enum class PoseVerdict {
 ///
 /// A pose is good if it is finite, newer than the last one, and where the robot can have been
 /// driven since it was seen: at most `jump_m` beside the way from there to where its commands lead
-/// it, and half as far again. One that is not is ignored; several in a row, silence, old stamps, or
-/// a pose that does not change by a digit though the robot is told to move make it blind, until
+/// it, and a tenth as far again. One that is not is ignored; several in a row, silence, old stamps,
+/// or a pose that does not change by a digit though the robot is told to move make it blind, until
 /// good poses return. However long nothing was seen, another place is believed only when the
 /// operator confirms it, since a body that is solved wrongly after an occlusion stays wrong.
 class PoseWatch {
