@@ -238,7 +238,7 @@ std::string Lab::causeOfStop() const {
   }
   std::string cause;
   for (const sylph::RobotExecution& robot : state.robots) {
-    if (robot.condition == sylph::RobotCondition::Lost && robot.cell != robot.goal) {
+    if (robot.condition == sylph::RobotCondition::Lost) {
       cause += (cause.empty() ? "" : "; ") + robot.robot + ": lost";
     }
     if (!robot.root_cause.empty() && robot.root_cause.find(kNoCause) == std::string::npos) {

@@ -105,6 +105,15 @@ TEST(FaultedRehearsalTest, PlansTheRestAnewAroundALostRobot) {
   EXPECT_EQ(7, run.result.arrived);
 }
 
+TEST(FaultedRehearsalTest, ARobotThatIsDeclaredLostOnItsGoalIsTheCause) {
+  for (double at_s = 2.0; at_s < 5.0; at_s += 0.2) {
+    SCOPED_TRACE(at_s);
+    const Rehearsal run = rehearse(openLab(3, 3, {{{0, 0}, {0, 0}}, {{2, 0}, {2, 2}}}), {}, nullptr,
+                                   {faultOf(LabFaultKind::DeclareLost, {0}, at_s, kForGood)});
+    EXPECT_NE(Ending::Violated, run.ending) << run.cause;
+  }
+}
+
 TEST(FaultedRehearsalTest, TheSameFaultsGiveTheSameEventLog) {
   sylph::Rng rng(5);
   const sylph::Experiment experiment = labExperiment("lab_room", 3);
