@@ -2,133 +2,23 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "robot_world.hpp"
 #include "sylph_core/control/drive_path.hpp"
 #include "sylph_core/experiment/experiment_margin.hpp"
-#include "sylph_core/grid/rng.hpp"
 
 namespace sylph {
 namespace {
 
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
-/// One robot in a 5 x 5 world, in simulated time: 50 Hz control, 100 Hz poses, 10 Hz central node.
-class World {
- public:
-  explicit World(const Cell& start, const RobotControllerOptions& options = {})
-      : grid(5, 5), frame(grid, 0.3), controller(options, grid, frame) {
-    pose = {frame.toPoint(start).x, frame.toPoint(start).y, 0.0};
-    central_sends = true;
-    cameras_send = true;
-  }
-
-  /// Tasks along a row of plan 1, from (2,0) eastwards.
-  void sendEastward(int count) {
-    for (int k = 0; k < count; ++k) {
-      controller.onTask({1, k, {2, k}, {2, k + 1}}, now_s);
-    }
-  }
-
-  /// Tasks of plan 1 along a path of cells.
-  void sendAlong(const std::vector<Cell>& path) {
-    for (std::size_t k = 0; k + 1 < path.size(); ++k) {
-      controller.onTask({1, static_cast<int>(k), path[k], path[k + 1]}, now_s);
-    }
-  }
-
-  void run(double duration_s) {
-    const double end_s = now_s + duration_s - 1e-9;
-    while (now_s < end_s) {
-      step();
-    }
-  }
-
-  /// The operator looks and lets all go on.
-  void stopAndResume() {
-    mode = ExecutionMode::Stop;
-    run(0.3);
-    mode = ExecutionMode::Run;
-    run(0.3);
-  }
-
-  void loseSightFor(double duration_s) {
-    cameras_send = false;
-    run(duration_s);
-    cameras_send = true;
-  }
-
-  /// The node gets no processor time; the base stops by itself `base_timeout_s` after the last
-  /// command.
-  void starveNodeFor(double duration_s) {
-    node_runs = false;
-    run(duration_s);
-    node_runs = true;
-  }
-
-  RobotReport report() const { return controller.report(now_s); }
-  double speedNow() const { return speed(command_robot); }
-  double x() const { return pose.x_m; }
-
-  Grid grid;
-  CellFrame frame;
-  RobotController controller;
-  Pose2d pose;                       // true
-  Pose2d camera_offset;              // added to what the cameras tell
-  std::optional<Pose2d> other_body;  // whose pose they tell instead
-  Twist2d command_robot;
-  double grip = 1.0;  // share of the wheels' motion that reaches the floor
-  ExecutionMode mode = ExecutionMode::Run;
-  std::uint32_t executed_plan_id = 1;
-  bool central_sends = true;
-  bool cameras_send = true;
-  bool node_runs = true;
-  double base_timeout_s = ExecutionSpec{}.base_timeout_s;
-  double now_s = 50.0;
-
- private:
-  void step() {  // 0.01 s
-    if (node_runs && central_sends && step_ % 10 == 0) {
-      controller.onCentralState({mode, executed_plan_id, now_s}, now_s);
-    }
-    if (node_runs && cameras_send) {
-      const double noise_m = 1e-4 * drawNormal(rng_);
-      const Pose2d& body = other_body ? *other_body : pose;
-      controller.onPose({{body.x_m + camera_offset.x_m + noise_m, body.y_m + camera_offset.y_m,
-                          body.yaw_rad + camera_offset.yaw_rad},
-                         now_s,
-                         now_s,
-                         now_s});
-    }
-    if (node_runs && step_ % 2 == 0) {
-      command_robot = controller.update(now_s);
-      commanded_s_ = now_s;
-    } else if (now_s - commanded_s_ > base_timeout_s) {
-      command_robot = {};
-    }
-    const Twist2d target_map = mapFromRobot(command_robot, pose.yaw_rad);
-    const double share = 1.0 - std::exp(-0.01 / 0.1);
-    wheel_map_.x_mps += share * (target_map.x_mps - wheel_map_.x_mps);
-    wheel_map_.y_mps += share * (target_map.y_mps - wheel_map_.y_mps);
-    pose.x_m += 0.01 * grip * wheel_map_.x_mps;
-    pose.y_m += 0.01 * grip * wheel_map_.y_mps;
-    pose.yaw_rad += 0.01 * target_map.turn_radps;
-    ++step_;
-    now_s += 0.01;
-  }
-
-  int step_ = 0;
-  double commanded_s_ = 0.0;
-  Twist2d wheel_map_;
-  Rng rng_{1};
-};
-
 TEST(RobotControllerTest, CarriesOutItsTasks) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   EXPECT_EQ(RobotState::Idle, world.report().state);
   world.sendEastward(3);
@@ -143,7 +33,7 @@ TEST(RobotControllerTest, CarriesOutItsTasks) {
 }
 
 TEST(RobotControllerTest, MakesUpForSlip) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.grip = 0.93;
   world.run(0.2);
   world.sendEastward(4);
@@ -154,7 +44,7 @@ TEST(RobotControllerTest, MakesUpForSlip) {
 }
 
 TEST(RobotControllerTest, DoesNotMoveBeforeTheCentralNodeIsHeard) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.central_sends = false;
   world.run(0.2);
   world.sendEastward(1);
@@ -167,7 +57,7 @@ TEST(RobotControllerTest, DoesNotMoveBeforeTheCentralNodeIsHeard) {
 }
 
 TEST(RobotControllerTest, RampsToZeroWithoutPosesAndGoesOnByItself) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(2.0);
@@ -193,7 +83,7 @@ double distanceToPath(const DrivePath& path, const Point& point) {
 
 /// Largest distance of the true position from the planned path while a node is starved once, from
 /// `starve_after_s` after the tasks came [m].
-double largestDeviation(World& world, const std::vector<Cell>& path, double starve_after_s) {
+double largestDeviation(RobotWorld& world, const std::vector<Cell>& path, double starve_after_s) {
   DrivePath planned(world.frame.toPoint(path.front()));
   for (std::size_t k = 1; k < path.size(); ++k) {
     planned.append(world.frame.toPoint(path[k]), 0.0);
@@ -219,19 +109,19 @@ TEST(RobotControllerTest, ANodeThatIsStarvedAtTheWorstMomentStaysWithinTheMargin
   double worst_m = 0.0;
   for (double after_s = 0.1; after_s < 6.0; after_s += 0.03) {
     SCOPED_TRACE(after_s);
-    World world(path.front());
+    RobotWorld world(path.front());
     worst_m = std::max(worst_m, largestDeviation(world, path, after_s));
     EXPECT_EQ(4, world.report().done);  // and it goes on by itself
   }
   EXPECT_LT(worst_m, overrun_m);
   // The moments tried are the bad ones: a base that latches for half a second leaves its cells.
-  World latching(path.front());
+  RobotWorld latching(path.front());
   latching.base_timeout_s = 0.5;
   EXPECT_GT(largestDeviation(latching, path, 2.2), overrun_m);
 }
 
 TEST(RobotControllerTest, APoseThatIsNotFiniteStopsIt) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(2.0);
@@ -243,7 +133,7 @@ TEST(RobotControllerTest, APoseThatIsNotFiniteStopsIt) {
 }
 
 TEST(RobotControllerTest, AStopRampsToZeroAtOnceAndARunGoesOn) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(2.0);
@@ -260,7 +150,7 @@ TEST(RobotControllerTest, AStopRampsToZeroAtOnceAndARunGoesOn) {
 }
 
 TEST(RobotControllerTest, FinishesItsTaskWhenTheCentralNodeFallsSilent) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(0.5);
@@ -276,7 +166,7 @@ TEST(RobotControllerTest, FinishesItsTaskWhenTheCentralNodeFallsSilent) {
 }
 
 TEST(RobotControllerTest, AnEmergencyStopLastsUntilStopAndResume) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(2.0);
@@ -294,7 +184,7 @@ TEST(RobotControllerTest, AnEmergencyStopLastsUntilStopAndResume) {
 }
 
 TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(2);
   world.run(1.0);
@@ -314,7 +204,7 @@ TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
 }
 
 TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(2);
   world.run(1.0);
@@ -331,7 +221,7 @@ TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
 }
 
 TEST(RobotControllerTest, ARobotWithoutATaskIsWherePeoplePutIt) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.loseSightFor(0.5);
   world.pose.x_m += 0.3;
@@ -341,7 +231,7 @@ TEST(RobotControllerTest, ARobotWithoutATaskIsWherePeoplePutIt) {
 }
 
 TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(2.0);
@@ -356,7 +246,7 @@ TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
 }
 
 TEST(RobotControllerTest, TasksOfAPlanThatNobodyCarriesOutAreHeld) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(1.0);
@@ -379,7 +269,7 @@ TEST(RobotControllerTest, TasksOfAPlanThatNobodyCarriesOutAreHeld) {
 }
 
 TEST(RobotControllerTest, ARefusedTaskIsTheReasonThatItReports) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.grid.setObstacle({2, 1});
   world.controller = RobotController({}, world.grid, world.frame);
   world.run(0.2);
@@ -393,7 +283,7 @@ TEST(RobotControllerTest, ARefusedTaskIsTheReasonThatItReports) {
 }
 
 TEST(RobotControllerTest, ANodeThatStartsAgainFarFromItsFirstTaskSaysSo) {
-  World world({2, 3});
+  RobotWorld world({2, 3});
   world.run(0.2);
   world.sendEastward(2);
   world.run(0.2);
@@ -403,7 +293,7 @@ TEST(RobotControllerTest, ANodeThatStartsAgainFarFromItsFirstTaskSaysSo) {
 }
 
 TEST(RobotControllerTest, WhatTheCentralNodeSaidBeforeItsLastWordIsLate) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(1.0);
@@ -416,7 +306,7 @@ TEST(RobotControllerTest, WhatTheCentralNodeSaidBeforeItsLastWordIsLate) {
 }
 
 TEST(RobotControllerTest, ABodyWithTurnedAxesStopsItSoon) {
-  World world({2, 1});
+  RobotWorld world({2, 1});
   world.run(0.2);
   for (int k = 0; k < 3; ++k) {
     world.controller.onTask({1, k, {2, k + 1}, {2, k + 2}}, world.now_s);
@@ -431,7 +321,7 @@ TEST(RobotControllerTest, ABodyWithTurnedAxesStopsItSoon) {
 }
 
 TEST(RobotControllerTest, ARobotWithTheBodyOfOneThatStandsIsSoonDrivenNoMore) {
-  World world({4, 4});
+  RobotWorld world({4, 4});
   world.other_body = Pose2d{0.15, 0.75, 0.0};  // in (2,0)
   world.run(0.2);
   world.sendEastward(4);
@@ -445,7 +335,7 @@ TEST(RobotControllerTest, ARobotWithTheBodyOfOneThatStandsIsSoonDrivenNoMore) {
 TEST(RobotControllerTest, APoseThatSlidesAwayIsNotFollowed) {
   for (const double slide_mps : {0.1, 0.3}) {
     SCOPED_TRACE(slide_mps);
-    World world({2, 0});
+    RobotWorld world({2, 0});
     world.run(0.2);
     world.sendEastward(1);
     world.run(4.0);
@@ -462,7 +352,7 @@ TEST(RobotControllerTest, APoseThatSlidesAwayIsNotFollowed) {
 }
 
 TEST(RobotControllerTest, ABaseThatIsStuckForThreeSecondsGoesOnByItself) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(1.0);
@@ -474,7 +364,7 @@ TEST(RobotControllerTest, ABaseThatIsStuckForThreeSecondsGoesOnByItself) {
 }
 
 TEST(RobotControllerTest, ABaseThatNeverAnswersIsCommandedNoMore) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.grip = 0.0;
@@ -488,7 +378,7 @@ TEST(RobotControllerTest, ABaseThatNeverAnswersIsCommandedNoMore) {
 }
 
 TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(1);
   world.run(0.5);
@@ -503,7 +393,7 @@ TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
 }
 
 TEST(RobotControllerTest, AYawFlipNeverTurnsTheRobot) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(2);
   world.run(0.5);
@@ -517,7 +407,7 @@ TEST(RobotControllerTest, AYawFlipNeverTurnsTheRobot) {
 }
 
 TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(2);
   world.run(0.5);
@@ -537,7 +427,7 @@ TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
 }
 
 TEST(RobotControllerTest, ANodeThatStartsAgainGoesOnFromItsPastTasks) {
-  World world({2, 2});
+  RobotWorld world({2, 2});
   world.executed_plan_id = 7;
   world.run(0.2);
   for (int k = 0; k < 4; ++k) {
@@ -551,7 +441,7 @@ TEST(RobotControllerTest, ANodeThatStartsAgainGoesOnFromItsPastTasks) {
 }
 
 TEST(RobotControllerTest, ANewPlanGoesOnWhereTheOldOneEnded) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(1);
   world.run(2.5);
@@ -565,7 +455,7 @@ TEST(RobotControllerTest, ANewPlanGoesOnWhereTheOldOneEnded) {
 }
 
 TEST(RobotControllerTest, GoingDownRampsToZero) {
-  World world({2, 0});
+  RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);
   world.run(2.0);
