@@ -50,9 +50,9 @@ void Central::tick(int life) {
   execution_->tick(queue_->now());
   flush();
   if (queue_->now() - state_sent_s_ >= heartbeat_period_s_ / 2.0) {
-    publishWord();
+    publishCentralState();
   }
-  ports_.state(explain(*execution_, queue_->now()));
+  ports_.adg_state(explain(*execution_, queue_->now()));
   queue_->after(heartbeat_period_s_, [this, life] { tick(life); });
 }
 
@@ -108,14 +108,14 @@ void Central::flush() {
   }
   has_changed_ = has_changed_ || !events.empty();
   if (has_changed_ && now_s - state_sent_s_ >= kShortestStatePeriod_s) {
-    publishWord();
+    publishCentralState();
   }
 }
 
-void Central::publishWord() {
+void Central::publishCentralState() {
   has_changed_ = false;
   state_sent_s_ = queue_->now();
-  ports_.word({execution_->mode(), execution_->executedPlanId(), queue_->now()});
+  ports_.central_state({execution_->mode(), execution_->executedPlanId(), queue_->now()});
 }
 
 }  // namespace sylph_rehearsal

@@ -19,8 +19,8 @@ class Central {
  public:
   struct Ports {
     std::function<void(const sylph::TaskOrder&)> task;
-    std::function<void(const sylph::CentralWord&)> word;  ///< to the robots, as part of AdgState
-    std::function<void(const sylph::AdgState&)> state;    ///< to the planner
+    std::function<void(const sylph::CentralState&)> central_state;  ///< to the robots
+    std::function<void(const sylph::AdgState&)> adg_state;          ///< to the planner
     std::function<void(const sylph::ExecutionEvent&)> event;  ///< told to nobody but the oracle
   };
 
@@ -52,7 +52,7 @@ class Central {
  private:
   void tick(int life);
   void flush();
-  void publishWord();
+  void publishCentralState();
 
   const sylph::Experiment* experiment_;
   sylph::ExecutionLimits limits_;

@@ -58,7 +58,7 @@ Lab::Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
                   oracle_.onOrder(task, queue_.now() - kStart_s);
                   links_[robot].tasks.send([this, robot, task] { robots_[robot]->onTask(task); });
                 },
-                [this](const sylph::CentralWord& word) { onWord(word); },
+                [this](const sylph::CentralState& state) { onCentralState(state); },
                 [this](const sylph::AdgState& state) {
                   to_planner_.send([this, state] { planner_.onState(state); });
                 },
@@ -157,17 +157,17 @@ void Lab::onEmergencyStop(bool is_pressed, const std::string& reason) {
   to_central_.send([this, is_pressed, reason] { central_.onEmergencyStop(is_pressed, reason); });
 }
 
-void Lab::onWord(const sylph::CentralWord& word) {
+void Lab::onCentralState(const sylph::CentralState& state) {
   for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-    links_[robot].state.send([this, robot, word] {
+    links_[robot].state.send([this, robot, state] {
       const sylph::Execution* execution = central_.execution();
       // What was sent before the operator resumed is late, and no order to stop any more.
-      const bool has_to_stop = word.mode == sylph::ExecutionMode::Stop && execution != nullptr &&
+      const bool has_to_stop = state.mode == sylph::ExecutionMode::Stop && execution != nullptr &&
                                execution->mode() == sylph::ExecutionMode::Stop;
       if (has_to_stop && robots_[robot]->isUp()) {
         oracle_.onStopHeard(robot, queue_.now() - kStart_s);
       }
-      robots_[robot]->onCentralWord(word);
+      robots_[robot]->onCentralState(state);
     });
   }
 }

@@ -47,7 +47,7 @@ class Lab {
   void onPose(std::size_t robot, const sylph::Pose2d& pose, double stamp_s);
   void onEmergencyStop(bool is_pressed, const std::string& reason);
   void onReport(std::size_t robot, const sylph::RobotReport& report);
-  void onWord(const sylph::CentralWord& word);
+  void onCentralState(const sylph::CentralState& state);
 
   void begin(const LabFault& fault);
   void end(const LabFault& fault);

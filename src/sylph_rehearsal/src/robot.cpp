@@ -38,9 +38,9 @@ void Robot::onPose(const sylph::Pose2d& pose, double stamp_s) {
   }
 }
 
-void Robot::onCentralWord(const sylph::CentralWord& word) {
+void Robot::onCentralState(const sylph::CentralState& state) {
   if (node_) {
-    node_->controller.onCentralState(word, queue_->now());
+    node_->controller.onCentralState(state, queue_->now());
   }
 }
 

@@ -37,7 +37,7 @@ class Robot {
 
   void onTask(const sylph::TaskOrder& task);
   void onPose(const sylph::Pose2d& pose, double stamp_s);
-  void onCentralWord(const sylph::CentralWord& word);
+  void onCentralState(const sylph::CentralState& state);
   void onEmergencyStop(bool is_pressed);
 
   /// How far its clock is ahead [s].

@@ -84,7 +84,7 @@ class Uncoordinated {
   /// The central node runs, and says nothing of who waits for whom.
   void hear() {
     for (const auto& robot : robots_) {
-      robot->onCentralWord({sylph::ExecutionMode::Run, 1, queue_.now()});
+      robot->onCentralState({sylph::ExecutionMode::Run, 1, queue_.now()});
     }
     queue_.after(0.1, [this] { hear(); });
   }

@@ -140,19 +140,19 @@ void RobotController::detectArrival(const Pose2d& pose, const Twist2d& twist_map
   }
 }
 
-void RobotController::onCentralState(const CentralWord& word, double now_s) {
-  const bool is_late = central_heard_s_ && word.stamp_s < central_.stamp_s &&
-                       word.stamp_s > central_.stamp_s - kTimeJump_s;
+void RobotController::onCentralState(const CentralState& state, double now_s) {
+  const bool is_late = central_heard_s_ && state.stamp_s < central_.stamp_s &&
+                       state.stamp_s > central_.stamp_s - kTimeJump_s;
   if (is_late) {
     return;
   }
-  if (central_.mode == ExecutionMode::Stop && word.mode == ExecutionMode::Run) {
+  if (central_.mode == ExecutionMode::Stop && state.mode == ExecutionMode::Run) {
     watch_.confirm();  // the operator has resumed
     motion_.confirm();
   }
-  central_ = word;
+  central_ = state;
   central_heard_s_ = now_s;
-  emergency_.onCentralMode(word.mode);
+  emergency_.onCentralMode(state.mode);
 }
 
 bool RobotController::isDisplaced() const {

@@ -187,7 +187,7 @@ TEST(RobotControllerTest, ANodeThatStartsAgainFarFromItsFirstTaskSaysSo) {
             world.report().detail);
 }
 
-TEST(RobotControllerTest, WhatTheCentralNodeSaidBeforeItsLastWordIsLate) {
+TEST(RobotControllerTest, AStateOfTheCentralNodeSentBeforeTheLastOneIsLate) {
   RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(4);

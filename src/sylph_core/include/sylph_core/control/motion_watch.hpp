@@ -36,7 +36,7 @@ class MotionWatch {
   void offer(const Vector2& commanded, const Vector2& measured, double duration_s);
   /// The robot is not driven: there is nothing to compare. A problem stays.
   void pause();
-  /// The operator has looked: all is as on the first day.
+  /// The operator has looked: forgets the problem and all motion so far.
   void confirm();
 
   /// Whether the robot may only creep.

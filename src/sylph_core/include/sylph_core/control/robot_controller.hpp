@@ -34,8 +34,8 @@ struct RobotControllerOptions {
   SupervisorLimits supervisor;
 };
 
-/// What AdgState tells a robot.
-struct CentralWord {
+/// What AdgState tells a robot of the central node.
+struct CentralState {
   ExecutionMode mode = ExecutionMode::Run;
   std::uint32_t executed_plan_id = 0;  ///< whose tasks it may carry out; 0: of none
   double stamp_s = 0.0;                ///< when it was sent, by the central node's clock
@@ -52,8 +52,8 @@ class RobotController {
   TaskAnswer onTask(const TaskOrder& task, double now_s);
   /// Takes a pose, learns slip from it and notices arrivals.
   PoseVerdict onPose(const TimedPose& pose);
-  /// The central node lives. What it said before its last word is late, and counts for nothing.
-  void onCentralState(const CentralWord& word, double now_s);
+  /// The central node lives. A state sent before the last one is late, and counts for nothing.
+  void onCentralState(const CentralState& state, double now_s);
   /// The state of the button, which stops at once; see EmergencyLatch.
   void onEmergencyStop(bool is_pressed) { emergency_.onEmergencyStop(is_pressed); }
 
@@ -95,7 +95,7 @@ class RobotController {
   PathFollower follower_;
   TwistLimiter limiter_;
   EmergencyLatch emergency_;
-  CentralWord central_;
+  CentralState central_;
   std::optional<double> central_heard_s_;
   std::optional<double> updated_s_;
   std::optional<int> finish_waypoint_;  // where to stop while the central node is silent
