@@ -67,7 +67,7 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       log_(folder_.eventLog(), names_),
       execution_(names_, experiment_.grid.rows(), experiment_.grid.cols(), experiment_.cell_size_m,
                  options_.limits, experiment_.corner),
-      trouble_(names_),
+      condition_log_(names_),
       diagnostics_(nh, private_nh) {
   ROS_INFO("%s", margin_.summary().c_str());
   ROS_INFO("run folder: %s", folder_.path().c_str());
@@ -85,7 +85,7 @@ CentralNode::CentralNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
 }
 
 CentralNode::~CentralNode() {
-  tell(trouble_.takeAll(clock_.now()));
+  tell(condition_log_.takeAll(clock_.now()));
   if (is_result_due_) {
     try {
       saveResult();
@@ -267,7 +267,7 @@ bool CentralNode::setMode(ExecutionMode mode, std_srvs::Trigger::Response& respo
 void CentralNode::onTimer() {
   execution_.tick(clock_.now());
   flush();
-  tell(trouble_.takeSettled(clock_.now()));
+  tell(condition_log_.takeSettled(clock_.now()));
   if (clock_.now() - state_sent_s_ >= options_.heartbeat_period_s / 2.0) {
     publishState();
   }
@@ -285,7 +285,7 @@ struct CentralNode::Follow {
              started.plan->robots.size(), started.plan->steps());
     for (int robot = 0; robot < node.execution_.robotCount(); ++robot) {
       const sylph::RobotMonitor& monitor = node.execution_.monitor(robot);
-      node.tellCondition(robot, monitor.condition(), monitor.trouble(node.clock_.now()));
+      node.logCondition(robot, monitor.condition(), monitor.trouble(node.clock_.now()));
     }
   }
   void operator()(const sylph::event::Refused& refused) const {
@@ -293,7 +293,7 @@ struct CentralNode::Follow {
     node.saveResult();
   }
   void operator()(const sylph::event::Condition& event) const {
-    node.tellCondition(event.robot, event.condition, event.reason);
+    node.logCondition(event.robot, event.condition, event.reason);
   }
   void operator()(const sylph::event::Lost& lost) const {
     ROS_WARN("%s is lost: %s", node.execution_.name(lost.robot).c_str(), lost.reason.c_str());
@@ -303,7 +303,7 @@ struct CentralNode::Follow {
   }
   void operator()(const sylph::event::Phase& phase) const {
     if (phase.phase == sylph::ExecutionPhase::Finished) {
-      tell(node.trouble_.takeAll(node.clock_.now()));
+      tell(node.condition_log_.takeAll(node.clock_.now()));
       node.saveResult();
     }
   }
@@ -339,12 +339,12 @@ void CentralNode::flush() {
   }
 }
 
-void CentralNode::tellCondition(int robot, sylph::RobotCondition condition,
-                                const std::string& reason) {
+void CentralNode::logCondition(int robot, sylph::RobotCondition condition,
+                               const std::string& reason) {
   // Before a mission robots wait for their first poses, and after it all goes down.
   const bool matters = is_result_due_ && condition != sylph::RobotCondition::Lost;
-  const auto line =
-      trouble_.note(robot, matters ? condition : sylph::RobotCondition::Ok, reason, clock_.now());
+  const auto line = condition_log_.note(robot, matters ? condition : sylph::RobotCondition::Ok,
+                                        reason, clock_.now());
   if (line) {
     ROS_WARN("%s", line->c_str());
   }

@@ -1,4 +1,4 @@
-#include "sylph_adg_central/trouble_teller.hpp"
+#include "sylph_adg_central/condition_log.hpp"
 
 #include <cstdio>
 
@@ -13,69 +13,69 @@ std::string seconds(double value_s) {
 
 }  // namespace
 
-std::optional<std::string> TroubleTeller::note(int robot, sylph::RobotCondition condition,
-                                               const std::string& reason, double now_s) {
-  for (auto& [key, trouble] : troubles_) {
-    if (key.first == robot && trouble.is_now && key.second != condition) {
-      trouble.is_now = false;
-      trouble.last_s = now_s;
-      trouble.total_s += now_s - trouble.since_s;
+std::optional<std::string> ConditionLog::note(int robot, sylph::RobotCondition condition,
+                                              const std::string& reason, double now_s) {
+  for (auto& [key, record] : records_) {
+    if (key.first == robot && record.is_now && key.second != condition) {
+      record.is_now = false;
+      record.last_s = now_s;
+      record.total_s += now_s - record.since_s;
     }
   }
   if (condition == sylph::RobotCondition::Ok) {
     return std::nullopt;
   }
-  const auto [entry, is_new] = troubles_.try_emplace({robot, condition});
-  Trouble& trouble = entry->second;
-  if (trouble.is_now) {
+  const auto [entry, is_new] = records_.try_emplace({robot, condition});
+  Record& record = entry->second;
+  if (record.is_now) {
     return std::nullopt;
   }
-  ++trouble.times;
-  trouble.is_now = true;
-  trouble.since_s = now_s;
+  ++record.times;
+  record.is_now = true;
+  record.since_s = now_s;
   if (!is_new) {
     return std::nullopt;
   }
-  trouble.first_s = now_s;
+  record.first_s = now_s;
   return names_.at(static_cast<std::size_t>(robot)) + " is " + toString(condition) +
          (reason.empty() ? "" : ": " + reason);
 }
 
-std::vector<std::string> TroubleTeller::takeSettled(double now_s) {
+std::vector<std::string> ConditionLog::takeSettled(double now_s) {
   std::vector<std::string> lines;
-  for (auto entry = troubles_.begin(); entry != troubles_.end();) {
-    const Trouble& trouble = entry->second;
-    if (trouble.is_now || now_s - trouble.last_s < kSettled_s) {
+  for (auto entry = records_.begin(); entry != records_.end();) {
+    const Record& record = entry->second;
+    if (record.is_now || now_s - record.last_s < kSettled_s) {
       ++entry;
     } else {
-      lines.push_back(summary(entry->first, trouble));
-      entry = troubles_.erase(entry);
+      lines.push_back(summary(entry->first, record));
+      entry = records_.erase(entry);
     }
   }
   return lines;
 }
 
-std::vector<std::string> TroubleTeller::takeAll(double now_s) {
+std::vector<std::string> ConditionLog::takeAll(double now_s) {
   std::vector<std::string> lines;
-  for (auto& [key, trouble] : troubles_) {
-    if (trouble.is_now) {
-      trouble.last_s = now_s;
-      trouble.total_s += now_s - trouble.since_s;
+  for (auto& [key, record] : records_) {
+    if (record.is_now) {
+      record.last_s = now_s;
+      record.total_s += now_s - record.since_s;
     }
-    lines.push_back(summary(key, trouble));
+    lines.push_back(summary(key, record));
   }
-  troubles_.clear();
+  records_.clear();
   return lines;
 }
 
-std::string TroubleTeller::summary(const Key& key, const Trouble& trouble) const {
+std::string ConditionLog::summary(const Key& key, const Record& record) const {
   const std::string was = names_.at(static_cast<std::size_t>(key.first)) +
-                          (trouble.is_now ? " has been " : " was ") + toString(key.second);
-  if (trouble.times == 1) {
-    return was + " for " + seconds(trouble.total_s);
+                          (record.is_now ? " has been " : " was ") + toString(key.second);
+  if (record.times == 1) {
+    return was + " for " + seconds(record.total_s);
   }
-  return was + " " + std::to_string(trouble.times) + " times within " +
-         seconds(trouble.last_s - trouble.first_s) + ", " + seconds(trouble.total_s) + " in all";
+  return was + " " + std::to_string(record.times) + " times within " +
+         seconds(record.last_s - record.first_s) + ", " + seconds(record.total_s) + " in all";
 }
 
 }  // namespace sylph_adg_central

@@ -14,10 +14,10 @@
 #include <string>
 #include <vector>
 
+#include "sylph_adg_central/condition_log.hpp"
 #include "sylph_adg_central/event_log.hpp"
 #include "sylph_adg_central/options.hpp"
 #include "sylph_adg_central/run_folder.hpp"
-#include "sylph_adg_central/trouble_teller.hpp"
 #include "sylph_core/adg/execution.hpp"
 #include "sylph_core/adg/run_record.hpp"
 #include "sylph_core/control/safety_margin.hpp"
@@ -62,7 +62,7 @@ class CentralNode {
   void publishState();
   void saveResult();
   /// Says in what condition a robot is that a mission needs.
-  void tellCondition(int robot, sylph::RobotCondition condition, const std::string& reason);
+  void logCondition(int robot, sylph::RobotCondition condition, const std::string& reason);
   /// Hands out no more tasks, since what happens can no longer be written down: a node that is
   /// started again would not know of it.
   void breakOff(const std::string& reason);
@@ -81,7 +81,7 @@ class CentralNode {
   EventLog log_;
   sylph::Execution execution_;
   sylph::RunRecord record_;
-  TroubleTeller trouble_;
+  ConditionLog condition_log_;
   std::string notice_;  ///< to be told while nothing else is
   std::string broken_;  ///< why the mission was broken off; empty: it was not
   std::uint32_t broken_plan_id_ = 0;

@@ -12,13 +12,13 @@ namespace sylph_adg_central {
 
 /// What the operator is told of robots that are silent, stuck or blind: that it is so, and when it
 /// is over how often and how long it was. A condition that comes and goes is told once.
-class TroubleTeller {
+class ConditionLog {
  public:
-  /// Trouble that has not come again for so long is over [s].
+  /// A condition that has not come again for so long is over [s].
   static constexpr double kSettled_s = 5.0;
 
   /// @param names  of the robots, by index
-  explicit TroubleTeller(std::vector<std::string> names) : names_(std::move(names)) {}
+  explicit ConditionLog(std::vector<std::string> names) : names_(std::move(names)) {}
 
   /// A robot's condition has changed.
   /// @param reason  one line, may be empty
@@ -33,7 +33,7 @@ class TroubleTeller {
   std::vector<std::string> takeAll(double now_s);
 
  private:
-  struct Trouble {
+  struct Record {
     int times = 0;
     double first_s = 0.0;
     double since_s = 0.0;
@@ -43,10 +43,10 @@ class TroubleTeller {
   };
   using Key = std::pair<int, sylph::RobotCondition>;
 
-  std::string summary(const Key& key, const Trouble& trouble) const;
+  std::string summary(const Key& key, const Record& record) const;
 
   std::vector<std::string> names_;
-  std::map<Key, Trouble> troubles_;
+  std::map<Key, Record> records_;
 };
 
 }  // namespace sylph_adg_central
