@@ -17,23 +17,11 @@ constexpr double kPoseTimeout_s = 0.5;
 /// A search that has found nothing after so many steps has failed: a mission ends in any case.
 constexpr double kSearchSteps = 5000.0;
 
-sylph::Mission missionOf(const sylph::Experiment& experiment,
-                         std::shared_ptr<const sylph::Policy> policy) {
+sylph::Mission rehearsedMission(const sylph::Experiment& experiment,
+                                std::shared_ptr<const sylph::Policy> policy) {
   // Throws if there is no such planner, or it lacks a policy.
   sylph::makePlanner(experiment.planning.planner, policy);
-  sylph::Mission mission;
-  mission.map_path = experiment.map_path;
-  mission.grid = experiment.grid;
-  mission.cell_size_m = experiment.cell_size_m;
-  mission.corner = experiment.corner;
-  for (const sylph::RobotSpec& robot : experiment.robots) {
-    mission.robots.push_back(robot.name);
-    mission.goals.push_back(robot.goal);
-  }
-  mission.planner = experiment.planning.planner;
-  mission.policy = std::move(policy);
-  mission.time_limit_s = experiment.planning.time_limit_s;
-  mission.seed = experiment.seed;
+  sylph::Mission mission = sylph::toMission(experiment, std::move(policy));
   // Never by the wall: the plan depends on the seed alone.
   mission.search_steps_per_s = kSearchSteps / mission.time_limit_s;
   mission.first_solution_only = true;
@@ -46,7 +34,7 @@ MissionPlanner::MissionPlanner(const sylph::Experiment& experiment,
                                std::shared_ptr<const sylph::Policy> policy, double planning_s,
                                EventQueue& queue, Ports ports)
     : experiment_(&experiment),
-      mission_(missionOf(experiment, std::move(policy))),
+      mission_(rehearsedMission(experiment, std::move(policy))),
       planning_s_(planning_s),
       queue_(&queue),
       ports_(std::move(ports)),

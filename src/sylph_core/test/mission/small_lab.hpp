@@ -17,26 +17,11 @@ inline Experiment smallLab() {
 
 /// The mission of the small lab: robots 0, 1, 2 to their goals.
 inline Mission smallMission() {
-  const Experiment lab = smallLab();
-  Mission mission;
-  mission.map_path = lab.map_path;
-  mission.grid = lab.grid;
-  mission.cell_size_m = lab.cell_size_m;
-  for (const RobotSpec& robot : lab.robots) {
-    mission.robots.push_back(robot.name);
-    mission.goals.push_back(robot.goal);
-  }
-  mission.planner = lab.planning.planner;
-  mission.time_limit_s = lab.planning.time_limit_s;
-  return mission;
+  return toMission(smallLab());
 }
 
 inline Configuration smallStarts() {
-  Configuration starts;
-  for (const RobotSpec& robot : smallLab().robots) {
-    starts.push_back(robot.start);
-  }
-  return starts;
+  return toInstance(smallLab()).starts;
 }
 
 /// A pose in the middle of a cell.

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/grid.hpp"
 #include "sylph_core/mapf/types.hpp"
@@ -73,5 +74,10 @@ struct Mission {
                                     robots.begin());
   }
 };
+
+/// The experiment's own mission: all of its robots to their goals, with its planner, time limit and
+/// seed.
+/// @param policy  for planners that need one; whether it is missing is seen when they plan
+Mission toMission(const Experiment& experiment, std::shared_ptr<const Policy> policy = nullptr);
 
 }  // namespace sylph
