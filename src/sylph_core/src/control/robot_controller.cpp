@@ -4,11 +4,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "sylph_core/control/time_jump.hpp"
+
 namespace sylph {
 namespace {
 
-// A stamp so much older than the last one means that the clock was set, or a simulation began anew.
-constexpr double kTimeJump_s = 1.0;
 // Between two poses the velocity counts as constant.
 constexpr double kLongestStretch_s = 0.03;
 

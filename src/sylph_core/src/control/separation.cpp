@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "sylph_core/control/time_jump.hpp"
+
 namespace sylph {
 namespace {
 
@@ -27,7 +29,7 @@ SeparationWatch::SeparationWatch(std::vector<Footprint> sizes, const SeparationL
 bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
   Track& track = tracks_.at(index(robot));
   const bool is_late = !track.samples.empty() && stamp_s <= track.samples.back().stamp_s &&
-                       stamp_s > track.samples.back().stamp_s - kTimeJump;
+                       stamp_s > track.samples.back().stamp_s - kTimeJump_s;
   if (!isFinite(pose) || !std::isfinite(stamp_s) || is_late) {
     return false;
   }

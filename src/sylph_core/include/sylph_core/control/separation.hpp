@@ -49,9 +49,6 @@ class SeparationWatch {
   /// The pair for which update() said last that it is too close.
   const std::optional<PairGap>& violation() const { return violation_; }
 
-  /// A stamp this much older than the last one means that time starts anew, as in a simulation.
-  static constexpr double kTimeJump = 1.0;
-
  private:
   struct Sample {
     Pose2d pose;
