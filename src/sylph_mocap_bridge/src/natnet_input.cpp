@@ -15,8 +15,6 @@ using sylph_natnet::toString;
 
 constexpr milliseconds kPollTimeout{50};
 constexpr milliseconds kStatusPeriod{200};
-/// ROS time that goes back by more than this began anew (a simulation, a bag).
-constexpr double kTimeJumpS = 0.5;
 
 /// A frame that the simulator has sent and that does not come for so long has been lost.
 constexpr milliseconds kLockStepPatience{200};
@@ -139,7 +137,7 @@ void NatnetInput::onFrame(const sylph_natnet::ReceivedFrame& received) {
   if (now_s <= 0.0) {
     return;  // simulated time has not begun
   }
-  if (now_s < last_now_s_ - kTimeJumpS) {
+  if (now_s < last_now_s_ - kTimeJump_s) {
     stamper_.reset();
     sink_.onRestart();
   }

@@ -11,8 +11,6 @@ namespace sylph_mocap_bridge {
 namespace {
 
 constexpr std::uint32_t kQueueSize = 10;
-/// ROS time that goes back by more than this began anew (a simulation, a bag).
-constexpr double kTimeJumpS = 0.5;
 
 /// The locale must not matter: a topic's name is ASCII.
 bool isLetter(char c) {
@@ -100,7 +98,7 @@ PoseTopicsInput::PoseTopicsInput(ros::NodeHandle& nh, const std::string& pattern
 void PoseTopicsInput::onPose(const geometry_msgs::PoseStamped& message, std::size_t robot) {
   ++new_messages_[robot];
   const double now_s = ros::Time::now().toSec();
-  if (now_s < last_now_s_ - kTimeJumpS) {
+  if (now_s < last_now_s_ - kTimeJump_s) {
     sink_.onRestart();
   }
   last_now_s_ = now_s;

@@ -9,6 +9,9 @@
 
 namespace sylph_mocap_bridge {
 
+/// ROS time that goes back by more than this began anew [s], as a simulation's or a bag's does.
+constexpr double kTimeJump_s = 0.5;
+
 /// Takes what an input measured. Called from the input's thread.
 class MeasurementSink {
  public:
