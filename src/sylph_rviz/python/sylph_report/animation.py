@@ -51,39 +51,55 @@ def _frames(run, paths, times):
     axis.set(xticks=[], yticks=[])
     figure.subplots_adjust(0.01, 0.01, 0.99, 1.0 - 0.25 / figure.get_figheight())
     clock = axis.set_title("", fontsize=9, pad=4)
+    font_size = max(5.0, min(9.0, 72 * scale * 0.3))
     names = figures.short_names(run.robots)
-    size = max(5.0, min(9.0, 72 * scale * 0.3))
-    length, width = (side / run.cell_size_m for side in run.footprint_m)
-    artists = {}
-    for name, path in paths.items():
-        color = figures.color_of(run, name)
-        goal = pyplot.Rectangle((path[2, -1] - 0.42, path[1, -1] - 0.42), 0.84, 0.84, fill=False, edgecolor=color, linewidth=2)
-        axis.add_patch(goal)
-        axis.text(path[2, -1], path[1, -1], names[name], color="#777777", fontsize=size, ha="center", va="center_baseline")
-        trail, = axis.plot([], [], color=color, linewidth=3, alpha=0.5)
-        body = axis.add_patch(pyplot.Rectangle((-length / 2, -width / 2), length, width, facecolor=color, edgecolor="black"))
-        label = axis.text(0, 0, names[name], color=figures.text_color(color), fontsize=size, ha="center", va="center_baseline")
-        artists[name] = (trail, body, label)
-    moving = [artist for group in artists.values() for artist in group] + [clock]
+    robots = [_Robot(axis, run, name, names[name], path, font_size) for name, path in paths.items()]
+    moving = [artist for robot in robots for artist in robot.layers] + [clock]
     for artist in moving:
         artist.set_animated(True)
     figure.canvas.draw()
     background = figure.canvas.copy_from_bbox(figure.bbox)
     for index, time_s in enumerate(times):
         figure.canvas.restore_region(background)
-        for name, (trail, body, label) in artists.items():
-            time, row, column, yaw = paths[name]
-            since = times[max(0, index - TRAIL)]
-            recent = np.linspace(since, time_s, 3 * TRAIL)
-            trail.set_data(np.interp(recent, time, column), np.interp(recent, time, row))
-            at = min(np.searchsorted(time, time_s), len(time) - 1)
-            x, y = np.interp(time_s, time, column), np.interp(time_s, time, row)
-            body.set_transform(Affine2D().rotate(-yaw[at]).translate(x, y) + axis.transData)  # rows count down
-            label.set_position((x, y))
+        for robot in robots:
+            robot.move(times[max(0, index - TRAIL)], time_s)
         clock.set_text(f"{time_s:.0f} s of {times[-1]:.0f} s")
-        for layer in range(3):
-            for group in artists.values():
-                axis.draw_artist(group[layer])
+        for layer in zip(*(robot.layers for robot in robots)):
+            for artist in layer:
+                axis.draw_artist(artist)
         axis.draw_artist(clock)
         yield Image.fromarray(np.asarray(figure.canvas.buffer_rgba())).convert("RGB")
     pyplot.close(figure)
+
+
+class _Robot:
+    """What moves in the picture for one robot; its goal, which does not, is drawn on the map."""
+
+    def __init__(self, axis, run, name, short_name, path, font_size):
+        """path: as of figures.cells_of()."""
+        color = figures.color_of(run, name)
+        text = {"fontsize": font_size, "ha": "center", "va": "center_baseline"}
+        row, column = path[1, -1], path[2, -1]
+        axis.add_patch(pyplot.Rectangle((column - 0.42, row - 0.42), 0.84, 0.84, fill=False, edgecolor=color, linewidth=2))
+        axis.text(column, row, short_name, color="#777777", **text)
+        length, width = (side / run.cell_size_m for side in run.footprint_m)
+        self._axis = axis
+        self._path = path
+        self._trail, = axis.plot([], [], color=color, linewidth=3, alpha=0.5)
+        self._body = axis.add_patch(pyplot.Rectangle((-length / 2, -width / 2), length, width, facecolor=color, edgecolor="black"))
+        self._label = axis.text(0, 0, short_name, color=figures.text_color(color), **text)
+
+    @property
+    def layers(self):
+        """Its artists, the lowest first."""
+        return self._trail, self._body, self._label
+
+    def move(self, since_s, time_s):
+        """To where it was at a time, with its trail since another."""
+        time, row, column, yaw = self._path
+        recent = np.linspace(since_s, time_s, 3 * TRAIL)
+        self._trail.set_data(np.interp(recent, time, column), np.interp(recent, time, row))
+        at = min(np.searchsorted(time, time_s), len(time) - 1)
+        x, y = np.interp(time_s, time, column), np.interp(time_s, time, row)
+        self._body.set_transform(Affine2D().rotate(-yaw[at]).translate(x, y) + self._axis.transData)  # rows count down
+        self._label.set_position((x, y))
