@@ -25,8 +25,9 @@ constexpr std::uint32_t kLinksOfRobot = 8;
 
 sylph::RobotControllerOptions controllerOptions(const sylph::Experiment& experiment,
                                                 const RehearsalOptions& options) {
-  sylph::RobotControllerOptions controller = controllerOptionsFor(experiment.execution);
+  sylph::RobotControllerOptions controller;
   controller.base = options.base;
+  applyExecution(experiment.execution, controller);
   controller.follower.lag_s = options.base.lag_s;
   controller.period_s = 1.0 / options.control_rate_hz;
   return controller;

@@ -46,10 +46,21 @@ PosePredictor::PosePredictor(const BaseModel& model) : model_(model) {
         model.lag_s >= 0.0)) {
     throw std::invalid_argument("latency and lag of a base: must be >= 0");
   }
+  if (!(model.timeout_s > 0.0)) {
+    throw std::invalid_argument("timeout of a base: must be > 0");
+  }
 }
 
 void PosePredictor::command(double time_s, const Twist2d& twist_map) {
   const double effective_s = time_s + model_.latency_s;
+  if (!commands_.empty() && timedOut() < effective_s) {
+    append(timedOut(), {});
+  }
+  append(effective_s, twist_map);
+  sent_s_ = time_s;
+}
+
+void PosePredictor::append(double effective_s, const Twist2d& twist_map) {
   MotionState before;
   if (!commands_.empty()) {
     const Command& last = commands_.back();
@@ -83,20 +94,24 @@ MotionState PosePredictor::predict(const Pose2d& captured, double captured_s, do
     --first;
   }
   state.twist_map = commands_[first].before_map;
-  for (std::size_t i = first; i < commands_.size(); ++i) {
-    const double begin_s = commands_[i].effective_s;
-    const double end_s =
-        i + 1 < commands_.size() ? std::min(commands_[i + 1].effective_s, time_s) : time_s;
+  const auto pass = [&](const Twist2d& twist_map, double begin_s, double end_s) {
     // Before the capture only the velocity builds up; the pose is known.
     const double known_until_s = std::clamp(captured_s, begin_s, std::max(begin_s, end_s));
     if (known_until_s > begin_s) {
       MotionState before = state;
-      advance(before, commands_[i].twist_map, known_until_s - begin_s, model_.lag_s);
+      advance(before, twist_map, known_until_s - begin_s, model_.lag_s);
       state.twist_map = before.twist_map;
     }
     if (end_s > known_until_s) {
-      advance(state, commands_[i].twist_map, end_s - known_until_s, model_.lag_s);
+      advance(state, twist_map, end_s - known_until_s, model_.lag_s);
     }
+  };
+  for (std::size_t i = first; i < commands_.size(); ++i) {
+    const double over_s = i + 1 < commands_.size() ? commands_[i + 1].effective_s : timedOut();
+    pass(commands_[i].twist_map, commands_[i].effective_s, std::min(over_s, time_s));
+  }
+  if (timedOut() < time_s) {
+    pass({}, timedOut(), time_s);
   }
   state.pose.yaw_rad = normalizeAngle(state.pose.yaw_rad);
   return state;

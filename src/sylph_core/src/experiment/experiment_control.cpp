@@ -3,6 +3,7 @@
 namespace sylph {
 
 void applyExecution(const ExecutionSpec& execution, RobotControllerOptions& controller) {
+  controller.base.timeout_s = execution.base_timeout_s;
   controller.cell_margin_m = execution.tracking_error_m;
   controller.limits.speed_mps = execution.speed_limit_mps;
   controller.limits.turn_rate_radps = execution.turn_rate_limit_radps;

@@ -76,6 +76,19 @@ TEST(PosePredictorTest, RemembersHowARobotWasStoppedHoweverLongThatIsAgo) {
   EXPECT_NEAR(0.2 * 0.5 + 0.2 * 0.1, predictor.predict({}, 2.0, 100.0).pose.x_m, 1e-6);
 }
 
+TEST(PosePredictorTest, ABaseStopsByItselfWhenNoCommandCameForItsTimeout) {
+  PosePredictor predictor({0.05, 0.1, 0.2});
+  predictor.command(1.0, {0.2, 0.0, 0.0});
+  predictor.command(1.1, {0.2, 0.0, 0.0});  // until 1.35
+  const double rest_x_m = 0.2 * 0.3;        // the lags of start and stop are alike
+  EXPECT_NEAR(rest_x_m, predictor.predict({}, 1.0, 9.0).pose.x_m, 1e-9);
+  EXPECT_NEAR(0.0, speed(predictor.predict({}, 5.0, 9.0).twist_map), 1e-9);
+  // It is known later too, when commands go on.
+  predictor.command(8.0, {0.2, 0.0, 0.0});
+  EXPECT_NEAR(rest_x_m, predictor.predict({}, 1.0, 8.05).pose.x_m, 1e-9);
+  EXPECT_NEAR(0.2 * (1.0 - std::exp(-1.0)), predictor.predict({}, 8.1, 8.15).twist_map.x_mps, 1e-9);
+}
+
 TEST(PosePredictorTest, YawIsPredictedAcrossTheSeam) {
   PosePredictor predictor({0.0, 0.0});
   predictor.command(0.0, {0.0, 0.0, 0.5});
@@ -86,6 +99,7 @@ TEST(PosePredictorTest, YawIsPredictedAcrossTheSeam) {
 TEST(PosePredictorTest, RefusesNegativeDelays) {
   EXPECT_THROW(PosePredictor({-0.1, 0.1}), std::invalid_argument);
   EXPECT_THROW(PosePredictor({0.1, std::nan("")}), std::invalid_argument);
+  EXPECT_THROW(PosePredictor({0.1, 0.1, 0.0}), std::invalid_argument);
 }
 
 }  // namespace

@@ -75,10 +75,12 @@ double largestDeviation(RobotWorld& world, const std::vector<Cell>& path, double
 TEST(RobotControllerTest, ANodeThatIsStarvedAtTheWorstMomentStaysWithinTheMargin) {
   const double overrun_m = computeSafetyMargin(safetyFactors(Experiment{})).overrun_m;
   const std::vector<Cell> path = {{2, 0}, {2, 1}, {2, 2}, {1, 2}, {1, 3}};
+  RobotControllerOptions options;
+  options.base.timeout_s = ExecutionSpec{}.base_timeout_s;
   double worst_m = 0.0;
   for (double after_s = 0.1; after_s < 6.0; after_s += 0.03) {
     SCOPED_TRACE(after_s);
-    RobotWorld world(path.front());
+    RobotWorld world(path.front(), options);
     worst_m = std::max(worst_m, largestDeviation(world, path, after_s));
     EXPECT_EQ(4, world.report().done);  // and it goes on by itself
   }
