@@ -82,7 +82,7 @@ void readWatches(sylph_ros::ParameterReader& reader, sylph::RobotControllerOptio
   reader.read("central_timeout_s", controller.supervisor.central_timeout_s, {0.05, 60.0},
               "without AdgState for so long it finishes its task and holds");
   reader.read("pose_jump_m", controller.watch.jump_m, {0.001, 10.0},
-              "what a pose may be off where the robot can have been driven");
+              "a pose may be so far from where the robot was driven");
   readDegrees(reader, "pose_jump_deg", controller.watch.jump_rad, {0.1, 180.0},
               "the same for the yaw");
   reader.read("motion_aside_m", controller.motion.aside_m, {0.001, 10.0},

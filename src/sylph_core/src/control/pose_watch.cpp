@@ -11,8 +11,8 @@
 namespace sylph {
 namespace {
 
-// A base may do more than it is told, and stamps have noise.
-constexpr double kExcess = 1.1;
+// A base may do a little more or less than it is told.
+constexpr double kSpread = 0.1;
 // Stamps that go back by more are of a motion capture that started again.
 constexpr double kClockRestart_s = 0.5;
 
@@ -69,20 +69,21 @@ PoseVerdict PoseWatch::offer(const TimedPose& pose, const Pose2d& driven) {
 bool PoseWatch::canBeAt(const Pose2d& pose, const Pose2d& driven) const {
   const Pose2d& from = seen_->pose;
   const Vector2 way = displacement(position(from), position(driven));
-  const double turn_rad = kExcess * shortestAngle(from.yaw_rad, driven.yaw_rad);
-  const double turned_rad = shortestAngle(from.yaw_rad, pose.yaw_rad);
-  return distanceToSegment(position(pose), position(from), position(from) + kExcess * way) <=
-             options_.jump_m &&
-         turned_rad >= std::min(0.0, turn_rad) - options_.jump_rad &&
-         turned_rad <= std::max(0.0, turn_rad) + options_.jump_rad;
+  const double turn_rad = shortestAngle(from.yaw_rad, driven.yaw_rad);
+  const double off_rad = std::abs(shortestAngle(driven.yaw_rad, pose.yaw_rad));
+  return distanceToSegment(position(pose), position(from) + (1.0 - kSpread) * way,
+                           position(from) + (1.0 + kSpread) * way) <= options_.jump_m &&
+         off_rad <= options_.jump_rad + kSpread * std::abs(turn_rad);
 }
 
 bool PoseWatch::isSamePlace(const TimedPose& from, const TimedPose& to) const {
   const double step_s = to.stamp_s - from.stamp_s;
   const double moved_m = distance(position(from.pose), position(to.pose));
   const double turned_rad = std::abs(shortestAngle(from.pose.yaw_rad, to.pose.yaw_rad));
-  return step_s > 0.0 && moved_m <= kExcess * options_.speed_limit_mps * step_s + options_.jump_m &&
-         turned_rad <= kExcess * options_.turn_rate_limit_radps * step_s + options_.jump_rad;
+  return step_s > 0.0 &&
+         moved_m <= (1.0 + kSpread) * options_.speed_limit_mps * step_s + options_.jump_m &&
+         turned_rad <=
+             (1.0 + kSpread) * options_.turn_rate_limit_radps * step_s + options_.jump_rad;
 }
 
 PoseVerdict PoseWatch::reject(const TimedPose& pose, bool may_be_true) {

@@ -125,8 +125,8 @@ TEST(PoseWatchTest, AFalsePlaceIsNotBelievedHoweverLongTheRobotWasUnseen) {
   }
 }
 
-TEST(PoseWatchTest, AfterAGapARobotIsWhereverItCanHaveBeenDriven) {
-  for (const double share : {0.0, 0.5, 1.0, 1.4}) {  // stuck ... faster than told
+TEST(PoseWatchTest, AfterAGapARobotIsWhereItWasDriven) {
+  for (const double share : {0.6, 1.0, 1.4}) {  // slower ... faster than told
     SCOPED_TRACE(share);
     Feed feed;
     feed.frames(5, {1.0, 1.0, 0.0});
@@ -135,7 +135,7 @@ TEST(PoseWatchTest, AfterAGapARobotIsWhereverItCanHaveBeenDriven) {
     EXPECT_EQ(PoseVerdict::Good, feed.frame({1.0 + share * 0.07, 1.02, 0.0}));
   }
   for (const auto& [x_m, y_m] :
-       {std::pair{1.14, 1.0}, std::pair{0.96, 1.0}, std::pair{1.05, 1.04}}) {
+       {std::pair{1.14, 1.0}, std::pair{1.03, 1.0}, std::pair{1.07, 1.04}}) {
     SCOPED_TRACE(x_m);
     Feed feed;
     feed.frames(5, {1.0, 1.0, 0.0});

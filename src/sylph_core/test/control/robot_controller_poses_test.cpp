@@ -114,6 +114,24 @@ TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
   EXPECT_EQ(4, world.report().done);
 }
 
+TEST(RobotControllerTest, AJumpBackAlongTheWayOfBrakingIsNotBelieved) {
+  for (const double back_m : {0.045, 0.06, 0.075, 0.09}) {
+    SCOPED_TRACE(back_m);
+    RobotWorld world({2, 0});
+    world.run(0.2);
+    world.sendEastward(4);
+    world.run(2.0);
+    world.camera_offset.x_m = -back_m;
+    world.run(2.5);
+    EXPECT_EQ(RobotState::Blind, world.report().state);
+    EXPECT_DOUBLE_EQ(0.0, world.speedNow());
+    world.camera_offset.x_m = 0.0;
+    world.run(5.0);
+    EXPECT_EQ(4, world.report().done);
+    EXPECT_NEAR(1.35, world.x(), 0.005);
+  }
+}
+
 TEST(RobotControllerTest, ABodyWithTurnedAxesStopsItSoon) {
   RobotWorld world({2, 1});
   world.run(0.2);

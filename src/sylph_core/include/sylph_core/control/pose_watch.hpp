@@ -11,7 +11,7 @@ struct PoseWatchOptions {
   double timeout_s = 0.1;              ///< a pose older than this is stale, > 0
   double speed_limit_mps = 0.25;       ///< of the robot, > 0
   double turn_rate_limit_radps = 0.5;  ///< > 0
-  double jump_m = 0.03;  ///< what a pose may be off where the robot can have been driven, > 0
+  double jump_m = 0.03;  ///< a pose may be so far from where the robot was driven, > 0
   double jump_rad = 0.296705972839036;  ///< the same for the yaw (17 deg), > 0
   double frozen_m = 0.03;     ///< commanded travel during which some digit has to change, > 0
   int good_poses = 3;         ///< in a row, before the pose is trusted again, > 0
@@ -43,9 +43,11 @@ enum class PoseVerdict {
 
 /// Whether a robot may believe its pose.
 ///
-/// A pose is good if it is finite, newer than the last one, and where the robot can have been
-/// driven since it was seen: at most `jump_m` beside the way from there to where its commands lead
-/// it, and a tenth as far again. One that is not is ignored; several in a row, silence, old stamps,
+/// A pose is good if it is finite, newer than the last one, and where the robot was driven since it
+/// was seen: at most `jump_m` from where its commands lead it, give or take a tenth of the way. So
+/// a robot that was stuck just while it was not seen asks for the operator; if all of the way were
+/// believed, so would a jump back while it ramps to zero.
+/// One that is not good is ignored; several in a row, silence, old stamps,
 /// or a pose that does not change by a digit though the robot is told to move make it blind, until
 /// good poses return. However long nothing was seen, another place is believed only when the
 /// operator confirms it, since a body that is solved wrongly after an occlusion stays wrong.
