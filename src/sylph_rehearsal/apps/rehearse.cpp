@@ -1,10 +1,15 @@
 // sylph_rehearse: runs an experiment in the simulated lab, in one process and without ROS.
 
 #include <CLI/CLI.hpp>
+#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
 #include <iostream>
 #include <random>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -31,6 +36,7 @@ struct Options {
   std::string faults_path;
   bool has_random_faults = false;
   bool is_json = false;
+  std::string event_logs;
 };
 
 /// So many are shrunk, as each takes many runs.
@@ -72,6 +78,22 @@ std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::See
   return runs;
 }
 
+/// Writes what the central node logged in each run, as it does in the lab: FOLDER/<seed>.jsonl.
+void writeEventLogs(const std::string& folder, const std::vector<Rehearsal>& runs) {
+  std::filesystem::create_directories(folder);
+  for (const Rehearsal& run : runs) {
+    const std::string path = folder + "/" + std::to_string(run.seed) + ".jsonl";
+    std::ofstream file(path);
+    for (const std::string& line : run.event_log) {
+      file << line << "\n";
+    }
+    file.close();
+    if (!file) {
+      throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+    }
+  }
+}
+
 /// How to see a run again, and what is the least that makes it fail.
 void tellFailure(const Options& options, const Rehearsal& run) {
   const sylph::Experiment experiment =
@@ -101,6 +123,9 @@ int rehearseAll(const Options& options) {
     seeds = sylph_rehearsal::seedsFromText(options.seeds);
   }
   const std::vector<Rehearsal> runs = runAll(options, seeds);
+  if (!options.event_logs.empty()) {
+    writeEventLogs(options.event_logs, runs);
+  }
   const sylph::Experiment experiment =
       sylph_rehearsal::experimentOf(options.experiment_path, seeds.first, options.robots);
   std::cout << (options.is_json ? toJson(experiment, runs) + "\n" : toTable(experiment, runs));
@@ -137,6 +162,8 @@ int main(int argc, char** argv) {
   auto* const faults = app.add_option("--faults", options.faults_path, "what goes wrong (YAML)");
   app.add_flag("--random-faults", options.has_random_faults, "drawn from the seed, some at once")
       ->excludes(faults);
+  app.add_option("--event-logs", options.event_logs,
+                 "folder for the central node's event log of each run, <seed>.jsonl");
   app.add_flag("--json", options.is_json, "print one line of JSON");
   return sylph::runCommand(app, argc, argv, [&] { return rehearseAll(options); });
 }
