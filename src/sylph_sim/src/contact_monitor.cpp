@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "sylph_core/geometry/pose2d.hpp"
+
 namespace sylph_sim {
 namespace {
 
@@ -38,7 +40,7 @@ void ContactMonitor::update(const std::vector<sylph::Footprint>& footprints) {
       if (b.center.x - a.center.x > 2.0 * largest_radius_m + min_separation_m_) {
         break;
       }
-      const double distance_m = std::hypot(b.center.x - a.center.x, b.center.y - a.center.y);
+      const double distance_m = sylph::distance(a.center, b.center);
       if (distance_m > radius_m[by_x[i]] + radius_m[by_x[j]] + min_separation_m_) {
         continue;
       }

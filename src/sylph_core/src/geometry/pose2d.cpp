@@ -27,11 +27,11 @@ Point transform(const Pose2d& a_from_b, const Point& point_b) {
 }
 
 double speed(const Twist2d& twist) {
-  return std::hypot(twist.x_mps, twist.y_mps);
+  return norm({twist.x_mps, twist.y_mps});
 }
 
 double distance(const Point& a, const Point& b) {
-  return std::hypot(b.x - a.x, b.y - a.y);
+  return norm(displacement(a, b));
 }
 
 bool isFinite(const Pose2d& pose) {
@@ -39,6 +39,9 @@ bool isFinite(const Pose2d& pose) {
 }
 
 double normalizeAngle(double angle_rad) {
+  if (angle_rad > -M_PI && angle_rad <= M_PI) {
+    return angle_rad;  // as nearly always
+  }
   const double angle = std::remainder(angle_rad, 2.0 * M_PI);  // in [-pi, pi]
   return angle <= -M_PI ? M_PI : angle;
 }

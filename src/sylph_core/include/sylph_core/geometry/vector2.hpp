@@ -37,9 +37,10 @@ inline Vector2 displacement(const Point& from, const Point& to) {
 inline Point operator+(const Point& point, const Vector2& displacement) {
   return {point.x + displacement.x, point.y + displacement.y};
 }
-/// Euclidean length.
+/// Euclidean length. Lengths here are far from overflow, against which std::hypot guards at four
+/// times the price: it took a fifth of a rehearsal with 64 robots.
 inline double norm(const Vector2& v) {
-  return std::hypot(v.x, v.y);
+  return std::sqrt(dot(v, v));
 }
 /// Turned counterclockwise.
 inline Vector2 rotate(const Vector2& v, double angle_rad) {
