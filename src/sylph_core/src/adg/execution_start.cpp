@@ -35,10 +35,21 @@ void Execution::setRefused(std::uint32_t plan_id, const std::string& reason) {
   log(event::Refused{refusal_});
 }
 
+bool Execution::leadsALostRobot(const MissionPlan& plan) const {
+  return plan.replaces_plan_id != 0 &&
+         std::any_of(plan.robots.begin(), plan.robots.end(), [this](const std::string& name) {
+           const std::optional<int> robot = indexOf(name);
+           return robot && monitors_[index(*robot)].isLost();
+         });
+}
+
 void Execution::submit(MissionPlan plan, double now_s) {
   const std::uint32_t plan_id = plan.plan_id;
   if (!isNew(plan_id)) {
     return;
+  }
+  if (leadsALostRobot(plan)) {
+    return;  // it was made before the robot was lost: the others wait for one without it
   }
   if (plan_id > plan_id_ && plan_id <= last_plan_id_) {
     setRefused(plan_id, "its id is not greater than " + std::to_string(last_plan_id_) +
@@ -71,6 +82,9 @@ void Execution::makeRoomFor(std::uint32_t plan_id) {
 void Execution::tryStart(double now_s) {
   using Verdict = PlanAdmission::Decision::Verdict;
   wait_reason_.clear();
+  if (admission_.pending() != nullptr && leadsALostRobot(*admission_.pending())) {
+    admission_.withdraw();
+  }
   if (admission_.pending() == nullptr) {
     return;
   }

@@ -37,14 +37,18 @@ PlanAdmission::Decision PlanAdmission::decide(const PresentExecution& present, d
   if (const auto fault = reasonNotNew(present)) {
     return {Decision::Verdict::Refuse, *fault};
   }
-  if (const auto fault = reasonNotAtStart(present)) {
+  if (const auto fault = bystanderInTheWay(present)) {
     return {Decision::Verdict::Refuse, *fault};
+  }
+  if (const auto fault = reasonNotAtStart(present)) {
+    // At a cut a robot may still be on its way back to the centre of its cell.
+    const bool may_come = pending_->replaces_plan_id != 0 && now_s <= pending_until_s_;
+    return {may_come ? Decision::Verdict::Wait : Decision::Verdict::Refuse, *fault};
   }
   return {Decision::Verdict::Start, {}};
 }
 
-std::optional<std::string> PlanAdmission::faultOfMembers(const MissionPlan& plan,
-                                                         const PresentExecution& present) const {
+std::optional<std::string> PlanAdmission::faultOfMembers(const MissionPlan& plan) const {
   std::set<std::string> members;
   for (const std::string& robot : plan.robots) {
     const auto known = indexOf(robot);
@@ -54,16 +58,13 @@ std::optional<std::string> PlanAdmission::faultOfMembers(const MissionPlan& plan
     if (!members.insert(robot).second) {
       return robot + " appears twice";
     }
-    if (plan.replaces_plan_id != 0 && present.monitors[*known].isLost()) {
-      return robot + " is lost and cannot take part";
-    }
   }
   return std::nullopt;
 }
 
 std::optional<std::string> PlanAdmission::faultOf(const MissionPlan& plan,
                                                   const PresentExecution& present) const {
-  if (auto fault = faultOfMembers(plan, present)) {
+  if (auto fault = faultOfMembers(plan)) {
     return fault;
   }
   if (plan.first_step != 0) {
@@ -147,7 +148,7 @@ std::optional<std::string> PlanAdmission::reasonNotAtStart(const PresentExecutio
       reasons += (reasons.empty() ? "" : "; ") + name + " " + *reason;
     }
   }
-  return reasons.empty() ? bystanderInTheWay(present) : std::make_optional(reasons);
+  return reasons.empty() ? std::nullopt : std::make_optional(reasons);
 }
 
 std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const Pose2d& pose) const {

@@ -151,7 +151,9 @@ void MissionLifecycle::tickSending(double now_s) {
     return;
   }
   const bool is_known = state_->plan_id == plan_id_;
-  if (is_known && state_->phase == ExecutionPhase::Refused) {
+  if (hasLostMore()) {
+    startReplanning(now_s);
+  } else if (is_known && state_->phase == ExecutionPhase::Refused) {
     fail({MissionOutcome::PlanRefused, "the central node refused the plan: " + state_->message},
          now_s);
   } else if (is_known && state_->phase != ExecutionPhase::Pending) {
@@ -164,6 +166,17 @@ void MissionLifecycle::tickSending(double now_s) {
   } else if (now_s - sent_s_ >= limits_.resend_period_s) {
     sendAgain(now_s);
   }
+}
+
+bool MissionLifecycle::hasLostMore() const {
+  const bool waits_at_cut = replaces_plan_id_ != 0 && state_->plan_id == replaces_plan_id_ &&
+                            state_->phase == ExecutionPhase::AtCut;
+  return waits_at_cut &&
+         std::any_of(state_->robots.begin(), state_->robots.end(), [this](const auto& robot) {
+           const auto& planned = planned_robots_;
+           return robot.condition == RobotCondition::Lost &&
+                  std::find(planned.begin(), planned.end(), robot.robot) != planned.end();
+         });
 }
 
 void MissionLifecycle::tickExecuting(double now_s) {
@@ -229,7 +242,7 @@ void MissionLifecycle::startReplanning(double now_s) {
   }
   given_up_ = rest.given_up;
   planned_robots_ = rest.robots;
-  replaces_plan_id_ = plan_id_;
+  replaces_plan_id_ = state_->plan_id;
   ++totals_.replans;
   plan(planCommand(planAsFarAsPossible, limited, rest.instance), now_s);
 }

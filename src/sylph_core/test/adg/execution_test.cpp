@@ -300,6 +300,54 @@ TEST_F(ExecutionTest, ALostRobotIsPlannedAround) {
   EXPECT_EQ(0, arrivedRobots(*execution_)) << "nobody is where the mission wanted it";
 }
 
+TEST_F(ExecutionTest, APlanWithARobotThatIsLostMeanwhileEndsNothing) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->declareLost(2, "declared by the operator");
+  ASSERT_TRUE(stepUntil(ExecutionPhase::AtCut, {2}));
+  const Plan with_both = {{{0, 0}, {0, 1}}, {{0, 0}, {1, 1}}};
+  // While it is made.
+  execution_->declareLost(1, "declared by the operator");
+  submit(with_both, 2, 1, {"robot_0", "robot_1"});
+  EXPECT_EQ(ExecutionPhase::AtCut, execution_->phase()) << execution_->message();
+  // The rest is planned without it, and that plan has the same id if the planner was started again.
+  submit({{{0, 0}}, {{1, 0}}}, 2, 1, {"robot_0"});
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished, {1, 2}));
+  EXPECT_EQ((Cell{1, 0}), view(0).cell);
+}
+
+TEST_F(ExecutionTest, APendingPlanWithARobotThatIsLostMeanwhileIsDropped) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->declareLost(2, "declared by the operator");
+  ASSERT_TRUE(stepUntil(ExecutionPhase::AtCut, {2}));
+  now_s_ += 10.0;
+  report(0);
+  submit({{{0, 0}, {0, 1}}, {{0, 0}, {1, 1}}}, 2, 1, {"robot_0", "robot_1"});
+  EXPECT_NE(std::string::npos, execution_->message().find("robot_1 does not report"))
+      << execution_->message();
+  execution_->declareLost(1, "declared by the operator");
+  submit({{{0, 0}}, {{1, 0}}}, 3, 1, {"robot_0"});
+  ASSERT_TRUE(stepUntil(ExecutionPhase::Finished, {1, 2}));
+  EXPECT_EQ((Cell{1, 0}), view(0).cell);
+}
+
+TEST_F(ExecutionTest, AtACutARobotMayStillComeBackToItsCentre) {
+  place(queue().front());
+  submit(queue(), 1);
+  execution_->declareLost(2, "declared by the operator");
+  ASSERT_TRUE(stepUntil(ExecutionPhase::AtCut, {2}));
+  robots_[1].position.x += 0.05;
+  report(1);
+  submit({{{0, 0}, {0, 1}}, {{0, 0}, {1, 1}}}, 2, 1, {"robot_0", "robot_1"});
+  EXPECT_EQ(ExecutionPhase::AtCut, execution_->phase()) << execution_->message();
+  EXPECT_NE(std::string::npos, execution_->message().find("robot_1 stands 50 mm in x"))
+      << execution_->message();
+  robots_[1].position.x -= 0.05;
+  step({2});
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase()) << execution_->message();
+}
+
 TEST_F(ExecutionTest, OthersGoOnWhereALostRobotIsInNobodysWay) {
   place(queue().front());
   submit(queue(), 1);

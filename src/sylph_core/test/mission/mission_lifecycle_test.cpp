@@ -300,6 +300,24 @@ TEST_F(MissionLifecycleTest, PlansTheRestAtTheCut) {
   EXPECT_EQ(1U, lifecycle_.totals().replans);
 }
 
+TEST_F(MissionLifecycleTest, PlansAnewWhenAnotherRobotIsLostAtTheCut) {
+  execute();
+  state_.robots[1].condition = RobotCondition::Lost;
+  state_.phase = ExecutionPhase::AtCut;
+  hear();
+  plan();
+  ASSERT_EQ(Stage::Sending, lifecycle_.stage());
+  hear();
+  ASSERT_EQ(Stage::Sending, lifecycle_.stage());
+  state_.robots[2].condition = RobotCondition::Lost;
+  hear();
+  plan();
+  const MissionPlan rest = last<mission_command::Publish>().plan;
+  EXPECT_EQ(3U, rest.plan_id);
+  EXPECT_EQ(1U, rest.replaces_plan_id);
+  EXPECT_EQ((std::vector<std::string>{"robot_0"}), rest.robots);
+}
+
 TEST_F(MissionLifecycleTest, PlansTheRestAroundBystandersToo) {
   Mission mission = smallMission();
   mission.robots = {"robot_0", "robot_1"};

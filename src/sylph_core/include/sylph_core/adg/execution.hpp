@@ -119,6 +119,7 @@ class Execution {
   void setPhase(ExecutionPhase phase);
 
   bool isNew(std::uint32_t plan_id) const;
+  bool leadsALostRobot(const MissionPlan& plan) const;
   void makeRoomFor(std::uint32_t plan_id);
   void setRefused(std::uint32_t plan_id, const std::string& reason);
   PresentExecution present() const { return {plan_.get(), graph(), is_cut_, monitors_}; }

@@ -54,8 +54,7 @@ class PlanAdmission {
   std::optional<std::size_t> indexOf(const std::string& robot) const;
   std::optional<std::string> faultOf(const MissionPlan& plan,
                                      const PresentExecution& present) const;
-  std::optional<std::string> faultOfMembers(const MissionPlan& plan,
-                                            const PresentExecution& present) const;
+  std::optional<std::string> faultOfMembers(const MissionPlan& plan) const;
   std::optional<std::string> reasonToWait(const PresentExecution& present, double now_s) const;
   std::optional<std::string> reasonNotNew(const PresentExecution& present) const;
   /// Why a robot with this pose may not start in a cell, to follow its name.

@@ -127,6 +127,8 @@ class MissionLifecycle {
  private:
   void tickStarting(const RobotPoses& poses, double now_s);
   void tickSending(double now_s);
+  /// Whether a robot of the plan that is sent was lost after the state that it was made from.
+  bool hasLostMore() const;
   void tickExecuting(double now_s);
   void tickPausing(double now_s);
 
