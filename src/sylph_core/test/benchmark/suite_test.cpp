@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 
 #include "sylph_core/benchmark/run_benchmark.hpp"
@@ -176,8 +177,9 @@ TEST(BenchmarkReportTest, TheCsvHasOneLineARun) {
 TEST(ShippedSuitesTest, AllOfTheirCasesCanBeMade) {
   const std::string root = REPOSITORY_DIR;
   EXPECT_EQ(14u, makeCases(loadSuite(root + "/maps/benchmark/suite.yaml")).size());
-  for (const std::string name : {"lacam.yaml", "lacam_first.yaml"}) {
-    EXPECT_EQ(300u, makeCases(loadSuite(root + "/benchmarks/" + name)).size());
+  for (const auto& file : std::filesystem::directory_iterator(root + "/benchmarks")) {
+    SCOPED_TRACE(file.path());
+    EXPECT_LT(0u, makeCases(loadSuite(file.path())).size());
   }
 }
 
