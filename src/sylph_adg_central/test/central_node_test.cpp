@@ -11,15 +11,15 @@ TEST_F(CentralNodeTest, CarriesAPlanOutAndWritesTheResult) {
   send(jointActions(mission(), names_, 1));
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
   expectCarriedOutOnce();
-  EXPECT_EQ(5u, state_.steps);
+  EXPECT_EQ(5U, state_.steps);
   const sylph_msgs::Task& first = robots_[0]->carried_out.front();
   EXPECT_EQ("robot_0", first.robot_id);
   EXPECT_EQ("map", first.header.frame_id);
-  EXPECT_EQ(4u, first.robot_tasks);
+  EXPECT_EQ(4U, first.robot_tasks);
   EXPECT_NEAR(0.45, first.end_pos.x, 1e-9);
   EXPECT_NEAR(1.35, first.end_pos.y, 1e-9);
   EXPECT_EQ(sylph_msgs::Task::ENQUEUED, first.status);
-  EXPECT_EQ(1u, first.dependencies.size()) << "it follows robot_1";
+  EXPECT_EQ(1U, first.dependencies.size()) << "it follows robot_1";
 
   const YAML::Node yaml = result();
   EXPECT_TRUE(yaml["success"].as<bool>());
@@ -81,7 +81,7 @@ TEST_F(CentralNodeTest, DropsReportsOfAnotherPlan) {
   ASSERT_TRUE(spinUntil([&] { return robot(0).waiting && robot(0).waited_s > 0.3; }));
   EXPECT_EQ("robot_1", robot(0).waits_for_robot);
   EXPECT_EQ(waits_at, robots_[0]->done());
-  EXPECT_EQ(0u, robot(1).tasks_done);
+  EXPECT_EQ(0U, robot(1).tasks_done);
 }
 
 TEST_F(CentralNodeTest, PausesStopsAndResumes) {
@@ -153,15 +153,15 @@ TEST_F(CentralNodeTest, PlansGoOnAroundALostRobot) {
   ASSERT_TRUE(spinUntilPhase(AdgState::AT_CUT));
   EXPECT_EQ(RobotExecution::LOST, robot(1).condition);
   EXPECT_EQ(0, robot(0).cell.col);
-  EXPECT_EQ(5u, robot(1).held_cells.size()) << "its cell and those of four tasks ahead";
+  EXPECT_EQ(5U, robot(1).held_cells.size()) << "its cell and those of four tasks ahead";
 
   const Cell cut_2 = sylph_ros::fromMessage(robot(2).cell);
   const Plan rest = {{{0, 0}, cut_2}, {{1, 0}, cut_2}, {{2, 0}, cut_2}};
   send(jointActions(rest, {"robot_0", "robot_2"}, 2, 1));
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
-  EXPECT_EQ(2u, state_.plan_id);
+  EXPECT_EQ(2U, state_.plan_id);
   EXPECT_EQ(2, robot(0).cell.row);
-  EXPECT_EQ(5u, robot(1).held_cells.size());
+  EXPECT_EQ(5U, robot(1).held_cells.size());
   EXPECT_FALSE(result()["success"].as<bool>());
   EXPECT_EQ(1, result()["replans"].as<int>());
 }
@@ -174,7 +174,7 @@ TEST_F(CentralNodeTest, ARobotNodeThatStartsAgainDoesNoTaskTwice) {
   robots_[1]->restart();
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
   EXPECT_GE(robot(1).tasks_done, done);
-  EXPECT_LE(robots_[1]->carried_out.size(), 4u + done - 2u) << "what it had told was not repeated";
+  EXPECT_LE(robots_[1]->carried_out.size(), 4U + done - 2U) << "what it had told was not repeated";
 }
 
 TEST_F(CentralNodeTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
@@ -197,7 +197,7 @@ TEST_F(CentralNodeTest, RefusesAMalformedPlan) {
   plan.steps[2].actions[0].to.col += 1;
   send(plan);
   ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
-  EXPECT_EQ(0u, state_.message.find("plan 1: step 2: action 2 of robot_0 does not lead from"))
+  EXPECT_EQ(0U, state_.message.find("plan 1: step 2: action 2 of robot_0 does not lead from"))
       << state_.message;
 }
 

@@ -78,8 +78,8 @@ TEST_F(EventLogTest, ThereAndBackIsTheIdentity) {
   const auto at = [&](std::size_t i) { return log.past()[i].event.what; };
   const sylph::MissionPlan expected = *std::get<event::Started>(planEvent().what).plan;
   const sylph::MissionPlan plan = *std::get<event::Started>(at(0)).plan;
-  EXPECT_EQ(7u, plan.plan_id);
-  EXPECT_EQ(6u, plan.replaces_plan_id);
+  EXPECT_EQ(7U, plan.plan_id);
+  EXPECT_EQ(6U, plan.replaces_plan_id);
   EXPECT_EQ("test", plan.planner);
   EXPECT_EQ(1.25, plan.planning_s);
   EXPECT_EQ(expected.robots, plan.robots);
@@ -113,10 +113,10 @@ TEST_F(EventLogTest, CutsOffWhatACrashLeftOfTheLastLine) {
   write("{\"stamp\": 2.0, \"eve");
   {
     EventLog log(path_, names_);
-    EXPECT_EQ(1u, log.past().size());
+    EXPECT_EQ(1U, log.past().size());
     log.append({3.0, {1, event::Done{0, 0}}});
   }
-  EXPECT_EQ(2u, EventLog(path_, names_).past().size());
+  EXPECT_EQ(2U, EventLog(path_, names_).past().size());
 }
 
 TEST_F(EventLogTest, NamesFileAndLineOfWhatIsWrong) {
@@ -143,7 +143,7 @@ TEST_F(EventLogTest, NamesFileAndLineOfWhatIsWrong) {
             refusal());
   std::filesystem::remove(path_);
   write("[1, 2\n");
-  EXPECT_EQ(0u, refusal().find(path_ + ":1: "));
+  EXPECT_EQ(0U, refusal().find(path_ + ":1: "));
   EXPECT_THROW(EventLog("/nowhere/events.jsonl", names_), std::runtime_error);
 }
 

@@ -20,7 +20,7 @@ TEST_F(RunFolderTest, ARestartDoesNoTaskTwice) {
   const ros::WallTime until = ros::WallTime::now() + ros::WallDuration(0.3);
   spinUntil([&] { return ros::WallTime::now() > until; });
   start();
-  EXPECT_EQ(1u, state_.plan_id);
+  EXPECT_EQ(1U, state_.plan_id);
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
   expectCarriedOutOnce();
   EXPECT_TRUE(result()["success"].as<bool>());
@@ -104,7 +104,7 @@ TEST_F(RunFolderTest, BreaksAMissionOffThatCannotBeWrittenDown) {
   ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
   EXPECT_EQ(folder_ + "/events.jsonl: cannot be written: No such file or directory",
             state_.message);
-  EXPECT_EQ(1u, state_.plan_id);
+  EXPECT_EQ(1U, state_.plan_id);
   EXPECT_TRUE(call(sylph_ros::kStopService)) << "the operator's stop does not depend on a disk";
   ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::STOP; }));
   send(jointActions(mission(), names_, 2));

@@ -43,7 +43,7 @@ TEST_F(LabFaultTest, AreReadFromASchedule) {
       "  - {kind: network, at_s: 1, delay_s: 0.1, loss: 0.2}\n"
       "  - {kind: crash_central, at_s: 3}\n"
       "  - {kind: jump}\n");
-  ASSERT_EQ(4u, faults.size());
+  ASSERT_EQ(4U, faults.size());
   EXPECT_EQ(LabFaultKind::Simulated, faults[0].kind);
   EXPECT_EQ(sylph_sim::FaultKind::Swap, faults[0].fault.kind);
   EXPECT_EQ((std::vector<std::size_t>{1, 4}), faults[0].fault.robots);
@@ -58,7 +58,7 @@ TEST_F(LabFaultTest, AreReadFromASchedule) {
 }
 
 TEST_F(LabFaultTest, NamesFileLineAndFieldOfWhatIsWrong) {
-  EXPECT_EQ(0u, refusal("faults:\n  - {kind: danced}\n").find(path_ + ":2: faults[0].kind: "));
+  EXPECT_EQ(0U, refusal("faults:\n  - {kind: danced}\n").find(path_ + ":2: faults[0].kind: "));
   EXPECT_NE(std::string::npos,
             refusal("faults:\n  - {kind: stuck, robots: [robot_9]}\n").find("'robot_9'"));
   EXPECT_NE(std::string::npos, refusal("faults:\n  - {kind: stuck, at_s: -1}\n").find("at_s"));
@@ -89,7 +89,7 @@ TEST_F(LabFaultTest, AreReadAsTheyAreWritten) {
       EXPECT_EQ(drawn[i].fault.value, read[i].fault.value);
     }
   }
-  EXPECT_EQ(22u, kinds.size()) << "every kind is drawn";
+  EXPECT_EQ(22U, kinds.size()) << "every kind is drawn";
 }
 
 }  // namespace

@@ -34,7 +34,7 @@ TEST(LinkTest, DelaysWithinItsBoundsAndKeepsTheOrder) {
   options.jitter_s = 0.03;  // longer than the time between two messages
   std::vector<double> delays_s;
   const std::vector<int> arrived = sendThousand(options, &delays_s);
-  EXPECT_EQ(1000u, arrived.size());
+  EXPECT_EQ(1000U, arrived.size());
   EXPECT_TRUE(std::is_sorted(arrived.begin(), arrived.end()));
   EXPECT_GE(*std::min_element(delays_s.begin(), delays_s.end()), 0.05 - 1e-9);
   EXPECT_LE(*std::max_element(delays_s.begin(), delays_s.end()), 0.08 + 1e-9);
@@ -55,7 +55,7 @@ TEST(LinkTest, LetsMessagesPassOneThatIsHeldUp) {
   LinkOptions options;
   options.reordering = 0.1;
   const std::vector<int> arrived = sendThousand(options);
-  EXPECT_EQ(1000u, arrived.size());
+  EXPECT_EQ(1000U, arrived.size());
   EXPECT_FALSE(std::is_sorted(arrived.begin(), arrived.end()));
 }
 

@@ -41,7 +41,7 @@ INSTANTIATE_TEST_SUITE_P(Lab, LabMapTest, testing::Values("lab_random", "lab_roo
 TEST(RehearsalTest, TheSameSeedGivesTheSameEventLog) {
   const Rehearsal once = rehearse(labExperiment("lab_room", 3), {}, nullptr);
   const Rehearsal again = rehearse(labExperiment("lab_room", 3), {}, nullptr);
-  EXPECT_GT(once.event_log.size(), 100u);
+  EXPECT_GT(once.event_log.size(), 100U);
   EXPECT_EQ(once.event_log, again.event_log);
   EXPECT_EQ(once.result.min_separation_m, again.result.min_separation_m);
   const Rehearsal other = rehearse(labExperiment("lab_room", 4), {}, nullptr);
@@ -101,7 +101,7 @@ TEST(FaultedRehearsalTest, StopsWithACauseAfterWhatDoesNot) {
 TEST(FaultedRehearsalTest, PlansTheRestAnewAroundALostRobot) {
   const Rehearsal run = rehearse(labExperiment("lab_room", 3), {}, nullptr,
                                  {faultOf(LabFaultKind::DeclareLost, {0}, 4.0, kForGood)});
-  EXPECT_EQ(1u, run.result.replans);
+  EXPECT_EQ(1U, run.result.replans);
   EXPECT_EQ(7, run.result.arrived);
 }
 
@@ -138,14 +138,14 @@ TEST(RehearsalTest, NamesTheOptionThatIsOutOfItsBounds) {
     rehearse(labExperiment("lab_room", 1), options, nullptr);
     FAIL() << "the option was accepted";
   } catch (const std::invalid_argument& error) {
-    EXPECT_EQ(0u, std::string(error.what()).find("network.loss")) << error.what();
+    EXPECT_EQ(0U, std::string(error.what()).find("network.loss")) << error.what();
   }
 }
 
 TEST(SeedsTest, AreOneOrARange) {
-  EXPECT_EQ(5u, seedsFromText("5").first);
-  EXPECT_EQ(1u, seedsFromText("5").count());
-  EXPECT_EQ(10u, seedsFromText("1-10").count());
+  EXPECT_EQ(5U, seedsFromText("5").first);
+  EXPECT_EQ(1U, seedsFromText("5").count());
+  EXPECT_EQ(10U, seedsFromText("1-10").count());
   for (const char* text : {"", "-3", "4-3", "1-", "a", "1-2x", "1 - 2", "4294967296"}) {
     EXPECT_THROW(seedsFromText(text), std::invalid_argument) << text;
   }
@@ -153,10 +153,10 @@ TEST(SeedsTest, AreOneOrARange) {
 
 TEST(ExperimentOfTest, HasAsManyRobotsAsWanted) {
   const std::string path = std::string(MAPS_DIR) + "/lab_room.yaml";
-  EXPECT_EQ(8u, experimentOf(path, 1, 0).robots.size());
-  EXPECT_EQ(3u, experimentOf(path, 1, 3).robots.size());
+  EXPECT_EQ(8U, experimentOf(path, 1, 0).robots.size());
+  EXPECT_EQ(3U, experimentOf(path, 1, 3).robots.size());
   const sylph::Experiment many = experimentOf(path, 1, 20);
-  ASSERT_EQ(20u, many.robots.size());
+  ASSERT_EQ(20U, many.robots.size());
   EXPECT_EQ("robot_19", many.robots[19].name);
   EXPECT_NO_THROW(sylph::requireValid(toInstance(many)));
   EXPECT_THROW(experimentOf(path, 1, 1000), std::invalid_argument);

@@ -29,7 +29,7 @@ TEST(ShrinkTest, LeavesOutWhatIsNotNeededAndShortensTheRest) {
               faultOf(LabFaultKind::CrashPlanner, 1.0), faultOf(LabFaultKind::CrashBridge, 1.0),
               faultOf(LabFaultKind::Pause, 1.0)},
              happens);
-  ASSERT_EQ(2u, least.size());
+  ASSERT_EQ(2U, least.size());
   EXPECT_EQ(LabFaultKind::Pause, least[0].kind);
   EXPECT_EQ(4.0, least[0].fault.duration_s);
   EXPECT_EQ(LabFaultKind::CrashBridge, least[1].kind);

@@ -56,13 +56,13 @@ TEST(RobotNodeTest, ATaskFromHoldToShutdown) {
   lab.sendTask(1, 0, {0, 0}, {0, 1});
   ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::HOLDING; }));
   EXPECT_EQ("central node not heard yet", lab.report().detail);
-  EXPECT_EQ(1u, lab.report().accepted);
+  EXPECT_EQ(1U, lab.report().accepted);
   EXPECT_DOUBLE_EQ(0.0, speedOf(lab.command()));
 
   // Then it drives, and tells of its arrival.
   lab.setCentral(true);
   ASSERT_TRUE(waitUntil([&] { return lab.report().done == 1; }));
-  EXPECT_EQ(1u, lab.report().plan_id);
+  EXPECT_EQ(1U, lab.report().plan_id);
   EXPECT_EQ("robot_0", lab.report().robot_id);
   EXPECT_EQ("map", lab.report().header.frame_id);
   EXPECT_FALSE(lab.report().header.stamp.isZero());

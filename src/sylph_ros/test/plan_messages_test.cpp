@@ -43,15 +43,15 @@ std::string refusalOf(const JointActions& message) {
 TEST(PlanMessagesTest, APlanThereAndBackIsTheIdentity) {
   const sylph::MissionPlan plan = smallPlan();
   const sylph::MissionPlan back = fromMessage(toMessage(plan));
-  EXPECT_EQ(9u, back.plan_id);
-  EXPECT_EQ(8u, back.replaces_plan_id);
-  EXPECT_EQ(0u, back.first_step);
+  EXPECT_EQ(9U, back.plan_id);
+  EXPECT_EQ(8U, back.replaces_plan_id);
+  EXPECT_EQ(0U, back.first_step);
   EXPECT_EQ("lacam", back.planner);
   EXPECT_EQ(0.25, back.planning_s);
   EXPECT_EQ(plan.robots, back.robots);
   EXPECT_EQ(plan.goals, back.goals);
   EXPECT_EQ(plan.plan, back.plan);
-  ASSERT_EQ(2u, back.social.size());
+  ASSERT_EQ(2U, back.social.size());
   for (std::size_t step = 0; step < 2; ++step) {
     EXPECT_EQ(plan.social[step].partners, back.social[step].partners);
     EXPECT_EQ(plan.social[step].svo_deg[0], back.social[step].svo_deg[0]);
@@ -62,7 +62,7 @@ TEST(PlanMessagesTest, APlanThereAndBackIsTheIdentity) {
 TEST(PlanMessagesTest, AMessageTellsTheReaderWhoDoesWhat) {
   const JointActions message = toMessage(smallPlan());
   EXPECT_EQ("map", message.header.frame_id);
-  ASSERT_EQ(2u, message.steps.size());
+  ASSERT_EQ(2U, message.steps.size());
   const AgentAction& second = message.steps[0].actions[1];
   EXPECT_EQ(AgentAction::NORTH, second.action);
   EXPECT_EQ((sylph::Cell{1, 1}), fromMessage(second.from));

@@ -103,7 +103,7 @@ TEST(TaskMessagesTest, AReportThereAndBackIsTheIdentity) {
   const auto back = fromMessage(message);
   ASSERT_TRUE(back);
   EXPECT_TRUE(sylph::tellTheSame(report, *back));
-  EXPECT_EQ(12u, back->report_id);
+  EXPECT_EQ(12U, back->report_id);
   EXPECT_EQ(7.5, back->stamp_s);
   EXPECT_EQ("pose is not finite", back->detail);
   ASSERT_TRUE(back->pose);

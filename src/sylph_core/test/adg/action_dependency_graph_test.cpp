@@ -78,7 +78,7 @@ TEST(ActionDependencyGraphTest, RefusesARingOfEight) {
     from.push_back(rotation[i]);
     to.push_back(rotation[(i + 1) % rotation.size()]);
   }
-  EXPECT_EQ(8u, refusalOf({from, to}).agents().size());
+  EXPECT_EQ(8U, refusalOf({from, to}).agents().size());
 }
 
 TEST(ActionDependencyGraphTest, RefusesASwap) {

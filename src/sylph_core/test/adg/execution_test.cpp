@@ -122,7 +122,7 @@ TEST_F(ExecutionTest, RefusesAnIdThatIsNotNew) {
   place(queue().front());
   robots_[2].plan_id = 7;  // what a robot remembers of an earlier run
   report(2);
-  EXPECT_EQ(7u, execution_->lastPlanId());
+  EXPECT_EQ(7U, execution_->lastPlanId());
   submit(queue(), 7);
   EXPECT_EQ("plan 7: its id is not greater than 7, which is the last one in use",
             execution_->message());
@@ -167,17 +167,17 @@ TEST_F(ExecutionTest, WaitsForReportsAndThenRefuses) {
 TEST_F(ExecutionTest, SendsAgainUntilTheRobotConfirms) {
   place(queue().front());
   execution_->submit(missionPlan(queue(), names_, 1), now_s_);
-  ASSERT_EQ(2u, execution_->takeOrders(now_s_).size()) << "both tasks of robot 2, which leads";
+  ASSERT_EQ(2U, execution_->takeOrders(now_s_).size()) << "both tasks of robot 2, which leads";
   EXPECT_TRUE(execution_->takeOrders(now_s_ + 0.2).empty());
   const auto again = execution_->takeOrders(now_s_ + 0.31);
-  ASSERT_EQ(2u, again.size());
+  ASSERT_EQ(2U, again.size());
   EXPECT_EQ(0, again.front().sequence);
   EXPECT_EQ(2, again.front().robot_tasks);
   robots_[2].take(again.front());
   now_s_ += 0.4;
   report(2);
   const auto rest = execution_->takeOrders(now_s_ + 1.0);
-  ASSERT_EQ(1u, rest.size());
+  ASSERT_EQ(1U, rest.size());
   EXPECT_EQ(1, rest.front().sequence);
 }
 
@@ -250,7 +250,7 @@ TEST_F(ExecutionTest, NoticesSilenceBlindnessAndStandstill) {
   EXPECT_EQ(RobotCondition::Stuck, conditionOf(2));
   EXPECT_EQ(RobotCondition::Ok, conditionOf(0)) << "who waits for others is not stuck";
   EXPECT_EQ("robot_2", view(0).root_cause_robot);
-  EXPECT_EQ(0u, view(0).root_cause.find("no progress for "));
+  EXPECT_EQ(0U, view(0).root_cause.find("no progress for "));
   RobotReport blind = robots_[2].report(now_s_);
   blind.state = RobotState::Blind;
   blind.detail = "pose 0.3 s old";
@@ -384,7 +384,7 @@ TEST_F(ExecutionTest, ANewMissionWaitsUntilRobotsRest) {
   submit({at_rest, {{0, 0}, {0, 1}, {1, 4}}}, 2);
   EXPECT_EQ(ExecutionPhase::Pending, execution_->phase()) << "robot 2 has tasks of plan 1";
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));
-  EXPECT_EQ(2u, execution_->planId());
+  EXPECT_EQ(2U, execution_->planId());
   EXPECT_EQ((Cell{1, 4}), view(2).cell);
   EXPECT_EQ(0, robots_[1].done) << "plan 1 was given up";
 }
@@ -399,7 +399,7 @@ TEST_F(ExecutionTest, WhatIsKnownOrOlderChangesNothing) {
   execution_->refuse(2, "malformed");
   execution_->refuse(1, "malformed");
   EXPECT_EQ(ExecutionPhase::Executing, execution_->phase());
-  EXPECT_EQ(2u, execution_->planId());
+  EXPECT_EQ(2U, execution_->planId());
   EXPECT_EQ(before, execution_->graph()->configuration());
 }
 
@@ -440,7 +440,7 @@ TEST_F(ExecutionTest, ALogReplaysIntoTheSameState) {
   EXPECT_EQ(before, execution_->graph()->configuration());
   EXPECT_EQ(released, execution_->graph()->releasedTasks());
   EXPECT_EQ(ExecutionMode::Pause, execution_->mode());
-  EXPECT_EQ(1u, execution_->planId());
+  EXPECT_EQ(1U, execution_->planId());
   EXPECT_TRUE(execution_->takeOrders(now_s_).empty()) << "robots have not told yet what they have";
   execution_->setMode(ExecutionMode::Run, "by the operator");
   ASSERT_TRUE(stepUntil(ExecutionPhase::Finished));

@@ -48,7 +48,7 @@ class CommandsTest : public ::testing::Test {
     const CommandResult refused = run(command);
     EXPECT_EQ(2, refused.status) << command;
     const std::string name = "sylph_" + command.substr(0, command.find(' '));
-    EXPECT_EQ(0u, refused.output.rfind(name + ": ", 0)) << refused.output;
+    EXPECT_EQ(0U, refused.output.rfind(name + ": ", 0)) << refused.output;
     EXPECT_EQ(refused.output.find('\n'), refused.output.size() - 1) << refused.output;
     EXPECT_NE(std::string::npos, refused.output.find(error)) << refused.output;
   }
@@ -86,7 +86,7 @@ TEST_F(CommandsTest, PlanPrintsOneLineOfJsonAndWritesAPlanThatCheckAccepts) {
 
   const CommandResult checked = run("check" + instance() + " " + plan);
   EXPECT_EQ(0, checked.status) << checked.output;
-  EXPECT_EQ(0u, checked.output.rfind("valid: 2 agents, ", 0)) << checked.output;
+  EXPECT_EQ(0U, checked.output.rfind("valid: 2 agents, ", 0)) << checked.output;
 }
 
 TEST_F(CommandsTest, APlanThatIsTooLongCountsUpToTheStepLimit) {

@@ -48,10 +48,10 @@ TEST_F(SuiteTest, ReadsEveryField) {
   EXPECT_DOUBLE_EQ(2.0, suite.limits.time_limit_s);
   EXPECT_FALSE(suite.limits.first_solution_only);
   EXPECT_TRUE(suite.motion.rotations);
-  ASSERT_EQ(2u, suite.families.size());
+  ASSERT_EQ(2U, suite.families.size());
   const auto& generated = std::get<GeneratedInstances>(suite.families[0].source);
   EXPECT_EQ(4, generated.instances);
-  EXPECT_EQ(9u, generated.seed);
+  EXPECT_EQ(9U, generated.seed);
   EXPECT_EQ(12, std::get<RoomMapSpec>(generated.map).cols);
   EXPECT_EQ(3, std::get<RoomMapSpec>(generated.map).room_size);
   const auto& stored = std::get<StoredInstances>(suite.families[1].source);
@@ -61,7 +61,7 @@ TEST_F(SuiteTest, ReadsEveryField) {
 
 TEST_F(SuiteTest, FewerAgentsAreTheFirstOfMore) {
   const std::vector<BenchmarkCase> cases = makeCases(loadSuite(write(kSuite)));
-  ASSERT_EQ(4u * 2u + 2u, cases.size());
+  ASSERT_EQ(4U * 2U + 2U, cases.size());
   EXPECT_EQ(3, cases[0].instance.agentCount());
   EXPECT_EQ(5, cases[1].instance.agentCount());
   EXPECT_EQ(cases[0].instance.grid, cases[1].instance.grid);
@@ -176,10 +176,10 @@ TEST(BenchmarkReportTest, TheCsvHasOneLineARun) {
 
 TEST(ShippedSuitesTest, AllOfTheirCasesCanBeMade) {
   const std::string root = REPOSITORY_DIR;
-  EXPECT_EQ(14u, makeCases(loadSuite(root + "/maps/benchmark/suite.yaml")).size());
+  EXPECT_EQ(14U, makeCases(loadSuite(root + "/maps/benchmark/suite.yaml")).size());
   for (const auto& file : std::filesystem::directory_iterator(root + "/benchmarks")) {
     SCOPED_TRACE(file.path());
-    EXPECT_LT(0u, makeCases(loadSuite(file.path())).size());
+    EXPECT_LT(0U, makeCases(loadSuite(file.path())).size());
   }
 }
 

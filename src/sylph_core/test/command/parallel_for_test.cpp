@@ -14,7 +14,7 @@ TEST(ParallelForTest, DoesEachOnceAndCountsThemUp) {
       calls.size(), 3, [&](std::size_t index) { ++calls[index]; },
       [&](std::size_t, std::size_t done) { counted.push_back(done); });
   EXPECT_EQ(std::vector<int>(100, 1), calls);
-  ASSERT_EQ(100u, counted.size());
+  ASSERT_EQ(100U, counted.size());
   for (std::size_t i = 0; i < counted.size(); ++i) {
     EXPECT_EQ(i + 1, counted[i]);
   }

@@ -124,7 +124,7 @@ TEST(PathFollowingTest, ATaskIsDoneOnlyInItsEndCell) {
   const PlantOptions plant = plantFor(0.06, 0.1);
   ClosedLoop loop(followerFor(0.1), {0.05, 0.1}, plant, {});
   const DriveRecord record = loop.drive(walk("EEEE"), std::vector<double>(4, 0.0), 60.0);
-  ASSERT_EQ(4u, record.done_s.size());
+  ASSERT_EQ(4U, record.done_s.size());
   for (std::size_t leg = 1; leg < 4; ++leg) {
     EXPECT_NEAR(kCell_s / 0.98, record.done_s[leg] - record.done_s[leg - 1], 0.2);
   }

@@ -162,7 +162,7 @@ TEST(RobotControllerTest, TasksOfAPlanThatNobodyCarriesOutAreHeld) {
             world.controller.onTask({2, 0, {2, 1}, {1, 1}}, world.now_s).verdict);
   world.run(4.0);
   EXPECT_EQ(1, world.report().done);
-  EXPECT_EQ(2u, world.report().plan_id);
+  EXPECT_EQ(2U, world.report().plan_id);
 }
 
 TEST(RobotControllerTest, ARefusedTaskIsTheReasonThatItReports) {
@@ -225,7 +225,7 @@ TEST(RobotControllerTest, ANewPlanGoesOnWhereTheOldOneEnded) {
             world.controller.onTask({2, 0, {2, 1}, {1, 1}}, world.now_s).verdict);
   world.executed_plan_id = 2;
   world.run(2.5);
-  EXPECT_EQ(2u, world.report().plan_id);
+  EXPECT_EQ(2U, world.report().plan_id);
   EXPECT_EQ(1, world.report().done);
   EXPECT_NEAR(1.05, world.pose.y_m, 0.005);
 }

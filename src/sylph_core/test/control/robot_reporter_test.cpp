@@ -15,11 +15,11 @@ TEST(RobotReporterTest, TellsAtItsRateAndNewsAtOnce) {
   report.done = 1;
   const auto news = reporter.offer(report, 5.07);
   ASSERT_TRUE(news.has_value());
-  EXPECT_EQ(2u, news->report_id);
+  EXPECT_EQ(2U, news->report_id);
   EXPECT_EQ(1, news->done);
   EXPECT_FALSE(reporter.offer(report, 5.11).has_value()) << "the rate counts from the last one";
   ASSERT_TRUE(reporter.offer(report, 5.18).has_value());
-  EXPECT_EQ(3u, reporter.last().report_id);
+  EXPECT_EQ(3U, reporter.last().report_id);
 }
 
 }  // namespace

@@ -28,7 +28,7 @@ TEST(TaskQueueTest, TakesTasksInOrder) {
   TaskQueue queue(corridor());
   EXPECT_EQ(TaskVerdict::Accepted, queue.offer(east(1, 0, 0), in(0)).verdict);
   EXPECT_EQ(TaskVerdict::Accepted, queue.offer(east(1, 1, 1), in(0)).verdict);
-  EXPECT_EQ(1u, queue.planId());
+  EXPECT_EQ(1U, queue.planId());
   EXPECT_EQ(2, queue.accepted());
   EXPECT_EQ(0, queue.done());
   EXPECT_EQ((std::vector<Cell>{{0, 0}, {0, 1}}), queue.heldCells());
@@ -62,7 +62,7 @@ TEST(TaskQueueTest, ALatePlanIsDropped) {
   TaskQueue queue(corridor());
   queue.offer(east(5, 0, 0), in(0));
   EXPECT_EQ(TaskVerdict::Late, queue.offer(east(4, 0, 0), in(0)).verdict);
-  EXPECT_EQ(5u, queue.planId());
+  EXPECT_EQ(5U, queue.planId());
 }
 
 TEST(TaskQueueTest, ANewPlanBeginsWhenTheOldOneIsDone) {
@@ -72,7 +72,7 @@ TEST(TaskQueueTest, ANewPlanBeginsWhenTheOldOneIsDone) {
   queue.completeCurrent();
   EXPECT_EQ(TaskVerdict::Early, queue.offer(east(2, 1, 2), in(1)).verdict);
   EXPECT_EQ(TaskVerdict::Accepted, queue.offer(east(2, 0, 1), in(1)).verdict);
-  EXPECT_EQ(2u, queue.planId());
+  EXPECT_EQ(2U, queue.planId());
   EXPECT_EQ(1, queue.accepted());
   EXPECT_EQ(0, queue.done());
 }

@@ -102,7 +102,7 @@ TEST(SafetyMarginTest, RefusesAnExperimentAndNamesTheNumbers) {
     FAIL() << "an experiment without margin was accepted";
   } catch (const std::runtime_error& error) {
     const std::string message = error.what();
-    EXPECT_EQ(0u, message.find("lab.yaml: no safety margin: robots stay -14.2 mm apart"))
+    EXPECT_EQ(0U, message.find("lab.yaml: no safety margin: robots stay -14.2 mm apart"))
         << message;
     EXPECT_NE(std::string::npos, message.find("change cell_size_m = 0.25 to at least 0.2897"))
         << message;

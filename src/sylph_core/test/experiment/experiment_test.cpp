@@ -59,8 +59,8 @@ TEST_F(ExperimentTest, ReadsEveryField) {
   EXPECT_EQ(folder_.path("a.map"), experiment.map_path);
   EXPECT_EQ(Grid::fromText("..#.\n..#.\n"), experiment.grid);
   EXPECT_DOUBLE_EQ(0.5, experiment.cell_size_m);
-  EXPECT_EQ(7u, experiment.seed);
-  ASSERT_EQ(2u, experiment.robots.size());
+  EXPECT_EQ(7U, experiment.seed);
+  ASSERT_EQ(2U, experiment.robots.size());
   EXPECT_EQ("robot_0", experiment.robots[0].rigid_body);
   EXPECT_DOUBLE_EQ(0.3, experiment.robots[0].length_m);
   EXPECT_DOUBLE_EQ(0.2, experiment.robots[0].width_m);
@@ -247,7 +247,7 @@ TEST_P(ShippedExperimentTest, IsALabOfEightRobotsForEverySeed) {
   const std::string path = std::string(MAPS_DIR) + "/" + GetParam();
   for (std::uint32_t seed = 0; seed < 20; ++seed) {
     const Experiment experiment = loadExperiment(path, {seed, std::nullopt});
-    EXPECT_EQ(8u, experiment.robots.size());
+    EXPECT_EQ(8U, experiment.robots.size());
     EXPECT_DOUBLE_EQ(0.3, experiment.cell_size_m);
     EXPECT_DOUBLE_EQ(0.23, experiment.robots[0].length_m);
     EXPECT_DOUBLE_EQ(0.20, experiment.robots[0].width_m);

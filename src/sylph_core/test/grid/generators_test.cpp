@@ -37,7 +37,7 @@ TEST(GeneratorsProperty, FreeCellsAreConnected) {
           mazeMap({rows, cols, size, share}, rng)}) {
       EXPECT_EQ(rows, grid.rows());
       EXPECT_EQ(cols, grid.cols());
-      EXPECT_EQ(1u, connectedComponents(grid).cells.size()) << grid.toText();
+      EXPECT_EQ(1U, connectedComponents(grid).cells.size()) << grid.toText();
     }
   }
 }

@@ -41,7 +41,7 @@ TEST(GridTest, RefusesBadTextAndSizes) {
 
 TEST(ComponentsTest, LargestComesFirst) {
   const Components components = connectedComponents(Grid::fromText(".#..\n##..\n"));
-  ASSERT_EQ(2u, components.cells.size());
+  ASSERT_EQ(2U, components.cells.size());
   EXPECT_EQ((std::vector<Cell>{{0, 2}, {0, 3}, {1, 2}, {1, 3}}), components.cells[0]);
   EXPECT_EQ((std::vector<int>{1, -1, 0, 0, -1, -1, 0, 0}), components.label);
 }

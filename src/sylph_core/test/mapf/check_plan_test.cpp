@@ -53,7 +53,7 @@ TEST(FindRotationsTest, FindsARingBehindATail) {
   const Configuration from = {{0, 0}, {0, 1}, {0, 2}, {1, 2}, {1, 1}};
   const Configuration to = {{0, 1}, {0, 2}, {1, 2}, {1, 1}, {0, 1}};
   const auto rotations = findRotations(from, to);
-  ASSERT_EQ(1u, rotations.size());
+  ASSERT_EQ(1U, rotations.size());
   EXPECT_EQ((std::vector<AgentId>{1, 2, 3, 4}), rotations.front());
 }
 

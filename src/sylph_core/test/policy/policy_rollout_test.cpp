@@ -45,7 +45,7 @@ TEST_F(PolicyRolloutTest, PartnersAreWhoCrossesOnesWay) {
 TEST_F(PolicyRolloutTest, SvosAreMeanAnglesAndFortyFiveDegreesOnTheGoal) {
   auto walk = rollout();
   const PolicyStep step = firstStep(walk);
-  ASSERT_EQ(3u, step.social.svo_deg.size());
+  ASSERT_EQ(3U, step.social.svo_deg.size());
   for (int agent = 0; agent < 2; ++agent) {
     std::vector<float> probabilities(kSvoLevelCount);
     for (int level = 0; level < kSvoLevelCount; ++level) {

@@ -57,7 +57,7 @@ TEST_F(PolicyTest, RefusesOtherObservationsNamingWhatDiffers) {
   const std::string right = described;
   const std::string first = "obstacle [0, 1]: an obstacle or outside the map";
   const std::string second = "agent [0, 1]: an agent, oneself included";
-  ASSERT_EQ(0u, right.find(first + "\n" + second + "\n"));
+  ASSERT_EQ(0U, right.find(first + "\n" + second + "\n"));
   described = right.substr(first.size() + 1);
   expectRefused("metadata 'observation' has '" + second + "' as entry 0: must be '" + first + "'");
   described = first;

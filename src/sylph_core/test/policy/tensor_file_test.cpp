@@ -33,7 +33,7 @@ std::string errorOf(const std::string& bytes) {
   try {
     loadTensorFile(path);
   } catch (const std::runtime_error& error) {
-    EXPECT_EQ(0u, std::string(error.what()).find(path));
+    EXPECT_EQ(0U, std::string(error.what()).find(path));
     return error.what();
   }
   return "";
@@ -49,7 +49,7 @@ TEST(TensorFileTest, ThereAndBackIsTheIdentity) {
   saveTensorFile(file, path);
   const TensorFile read = loadTensorFile(path);
   EXPECT_EQ(file.metadata, read.metadata);
-  ASSERT_EQ(3u, read.tensors.size());
+  ASSERT_EQ(3U, read.tensors.size());
   for (const auto& [name, tensor] : file.tensors) {
     EXPECT_EQ(tensor.shape, read.tensors.at(name).shape);
     EXPECT_EQ(tensor.values, read.tensors.at(name).values);

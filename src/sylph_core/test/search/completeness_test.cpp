@@ -58,7 +58,7 @@ TEST(LacamCompletenessTest, ARingThatIsFullNeedsRotations) {
   instance.motion.rotations = true;
   const PlanningResult result = makePlanner("lacam")->plan(instance, {}, rng);
   EXPECT_EQ(Outcome::Solved, result.outcome);
-  EXPECT_EQ(2u, result.plan.size());
+  EXPECT_EQ(2U, result.plan.size());
 }
 
 TEST(LacamTest, ExhaustedItsCostIsTheLeast) {

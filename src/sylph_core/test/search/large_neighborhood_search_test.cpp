@@ -75,7 +75,7 @@ TEST(NeighborhoodsTest, EveryKindPicksDifferentAgentsUpToTheSize) {
   for (const NeighborhoodKind kind : kNeighborhoodKinds) {
     for (int size = 1; size <= instance.agentCount(); ++size) {
       const std::vector<AgentId> agents = neighborhoods.pick(kind, size, rng);
-      EXPECT_GE(agents.size(), 1u);
+      EXPECT_GE(agents.size(), 1U);
       EXPECT_LE(agents.size(), static_cast<std::size_t>(size));
       EXPECT_EQ(agents.size(), std::set<AgentId>(agents.begin(), agents.end()).size());
     }

@@ -150,11 +150,11 @@ TEST(PartnersAlongPlanTest, GivesOneStatePerJointActionAndNoSvo) {
   const Plan plan = {
       {{0, 0}, {0, 2}}, {{0, 1}, {1, 2}}, {{0, 2}, {1, 1}}, {{0, 2}, {1, 0}}, {{0, 2}, {0, 0}}};
   const auto states = partnersAlongPlan(instance.grid, distanceIn(fields), plan);
-  ASSERT_EQ(4u, states.size());
+  ASSERT_EQ(4U, states.size());
   EXPECT_EQ((std::vector<AgentId>{1, 0}), states[0].partners);
   EXPECT_EQ((std::vector<AgentId>{0, 1}), states[3].partners);  // past each other
   for (const SocialState& state : states) {
-    ASSERT_EQ(2u, state.svo_deg.size());
+    ASSERT_EQ(2U, state.svo_deg.size());
     EXPECT_TRUE(std::isnan(state.svo_deg[0]));
   }
   EXPECT_TRUE(partnersAlongPlan(instance.grid, distanceIn(fields), {instance.starts}).empty());
