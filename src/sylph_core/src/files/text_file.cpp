@@ -74,12 +74,15 @@ int parseInteger(const std::string& text, int lowest, int highest) {
   return value;
 }
 
+std::string inOneLine(std::string text) {
+  std::replace_if(
+      text.begin(), text.end(), [](unsigned char c) { return std::isprint(c) == 0; }, '?');
+  return text;
+}
+
 std::string printable(const std::string& text) {
   constexpr std::size_t kLongest = 40;
-  std::string shown = text.size() > kLongest ? text.substr(0, kLongest - 3) + "..." : text;
-  std::replace_if(
-      shown.begin(), shown.end(), [](unsigned char c) { return std::isprint(c) == 0; }, '?');
-  return shown;
+  return inOneLine(text.size() > kLongest ? text.substr(0, kLongest - 3) + "..." : text);
 }
 
 std::string inQuotes(const std::string& text) {

@@ -25,6 +25,9 @@ std::vector<std::string> splitLines(const std::string& text);
 /// @throws std::invalid_argument "'text': must be a whole number lowest ... highest"
 int parseInteger(const std::string& text, int lowest, int highest);
 
+/// For messages: unprintable characters as '?'.
+std::string inOneLine(std::string text);
+
 /// For messages: at most 40 characters, unprintable ones as '?'.
 std::string printable(const std::string& text);
 
