@@ -11,7 +11,6 @@ namespace sylph {
 namespace {
 
 using test::ExecutionTest;
-using test::kCellSize;
 using test::kCols;
 using test::kRows;
 using test::missionPlan;
@@ -458,78 +457,109 @@ TEST_F(ExecutionTest, ReplayRefusesWhatCannotHaveHappened) {
 class ExecutionProperty : public ExecutionTest {
  protected:
   ExecutionProperty() : ExecutionTest(8) {}
+
+  void begin(const Configuration& cells, const Plan& plan) {
+    restart();
+    log_.clear();
+    robots_.assign(cells.size(), Robot());
+    walked_.assign(cells.size(), {});
+    in_flight_.clear();
+    place(cells);
+    execution_->submit(missionPlan(plan, names_, 1), now_s_);
+  }
+
+  /// Some orders get lost.
+  void order(Rng& rng) {
+    for (const TaskOrder& order : execution_->takeOrders(now_s_)) {
+      if (uniform(0, 3, rng) > 0) {
+        robots_[index(order.robot)].take(order);
+      }
+    }
+  }
+
+  /// Some carry a task out; their reports are sent once, more often or not at all.
+  void act(Rng& rng) {
+    std::set<std::pair<int, int>> places;
+    for (int i = 0; i < 8; ++i) {
+      Robot& robot = robots_[index(i)];
+      if (uniform(0, 2, rng) > 0 && robot.hasTask()) {
+        robot.carryOut(frame_);
+        walked_[index(i)].push_back(frame_.toCell(robot.position));
+      }
+      const Cell cell = frame_.toCell(robot.position);
+      ASSERT_TRUE(places.insert({cell.row, cell.col}).second) << "collision";
+      const int copies = uniform(0, 2, rng);
+      const RobotReport report = robot.report(now_s_);
+      for (int copy = 0; copy < copies; ++copy) {
+        in_flight_.emplace_back(i, report);
+      }
+      // A robot that has told what it has done may forget everything.
+      if (robot.done == execution_->graph()->doneCount(i) && uniform(0, 30, rng) == 0) {
+        const Point position = robot.position;
+        robot = Robot();
+        robot.position = position;
+      }
+    }
+  }
+
+  /// Reports arrive late and in any order.
+  void deliver(Rng& rng) {
+    shuffle(in_flight_, rng);
+    while (in_flight_.size() > 6) {
+      execution_->report(in_flight_.back().first, in_flight_.back().second, now_s_);
+      in_flight_.pop_back();
+    }
+    execution_->tick(now_s_);
+  }
+
+  void restartSometimes(Rng& rng) {
+    if (uniform(0, 40, rng) == 0) {
+      collect();
+      restart();
+      for (const ExecutionEvent& event : log_) {
+        execution_->replay(event);
+      }
+    }
+  }
+
+  std::vector<std::vector<Cell>> walked_;  // by robot
+
+ private:
+  std::vector<std::pair<int, RobotReport>> in_flight_;
 };
+
+/// Where an agent goes, without its waits.
+std::vector<Cell> entered(const Plan& plan, std::size_t agent) {
+  std::vector<Cell> cells;
+  for (std::size_t t = 1; t < plan.size(); ++t) {
+    if (plan[t][agent] != plan[t - 1][agent]) {
+      cells.push_back(plan[t][agent]);
+    }
+  }
+  return cells;
+}
 
 TEST_F(ExecutionProperty, ArrivesOverABadLineWithRestartsOfBothEnds) {
   for (std::uint32_t seed = 0; seed < 40; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     Rng rng(seed);
     limits_.lookahead = uniform(1, 5, rng);
-    restart();
-    log_.clear();
-    robots_.assign(8, Robot());
     Configuration cells = Grid(kRows, kCols).freeCells();
     shuffle(cells, rng);
     cells.resize(robots_.size());
     const Plan plan = test::randomWalk(Grid(kRows, kCols), cells, 12, false, rng);
-    place(cells);
-    execution_->submit(missionPlan(plan, names_, 1), now_s_);
-
-    std::vector<std::pair<int, RobotReport>> in_flight;
-    std::vector<std::vector<Cell>> walked(robots_.size());
+    begin(cells, plan);
     for (int round = 0; execution_->phase() != ExecutionPhase::Finished; ++round) {
       ASSERT_LT(round, 3000) << "deadlock";
       now_s_ += 0.1;
       collect();
-      for (const TaskOrder& order : execution_->takeOrders(now_s_)) {
-        if (uniform(0, 3, rng) > 0) {
-          robots_[index(order.robot)].take(order);
-        }
-      }
-      std::set<std::pair<int, int>> places;
-      for (int i = 0; i < 8; ++i) {
-        Robot& robot = robots_[index(i)];
-        if (uniform(0, 2, rng) > 0 && robot.hasTask()) {
-          robot.carryOut(frame_);
-          walked[index(i)].push_back(frame_.toCell(robot.position));
-        }
-        const Cell cell = frame_.toCell(robot.position);
-        ASSERT_TRUE(places.insert({cell.row, cell.col}).second) << "collision";
-        const int copies = uniform(0, 2, rng);
-        const RobotReport report = robot.report(now_s_);
-        for (int copy = 0; copy < copies; ++copy) {
-          in_flight.emplace_back(i, report);
-        }
-        // A robot that has told what it has done may forget everything.
-        if (robot.done == execution_->graph()->doneCount(i) && uniform(0, 30, rng) == 0) {
-          const Point position = robot.position;
-          robot = Robot();
-          robot.position = position;
-        }
-      }
-      shuffle(in_flight, rng);
-      while (in_flight.size() > 6) {
-        execution_->report(in_flight.back().first, in_flight.back().second, now_s_);
-        in_flight.pop_back();
-      }
-      execution_->tick(now_s_);
-      if (uniform(0, 40, rng) == 0) {
-        collect();
-        restart();
-        for (const ExecutionEvent& event : log_) {
-          execution_->replay(event);
-        }
-      }
+      order(rng);
+      ASSERT_NO_FATAL_FAILURE(act(rng));
+      deliver(rng);
+      restartSometimes(rng);
     }
-    // Each robot walked its own path, every cell of it once.
     for (std::size_t agent = 0; agent < robots_.size(); ++agent) {
-      std::vector<Cell> expected;
-      for (std::size_t t = 1; t < plan.size(); ++t) {
-        if (plan[t][agent] != plan[t - 1][agent]) {
-          expected.push_back(plan[t][agent]);
-        }
-      }
-      ASSERT_EQ(expected, walked[agent]);
+      ASSERT_EQ(entered(plan, agent), walked_[agent]);
     }
   }
 }
