@@ -22,6 +22,32 @@ const Value& pickOne(const std::vector<Value>& values, Rng& rng) {
   return values[static_cast<std::size_t>(uniform(0, static_cast<int>(values.size()) - 1, rng))];
 }
 
+/// Who cannot go where it heads, because of another's place, move or, if there is no such agent,
+/// rotation.
+inline std::vector<std::size_t> agentsInConflict(const Configuration& from, const Configuration& to,
+                                                 bool rotations) {
+  std::unordered_map<Cell, std::vector<std::size_t>> entrants;
+  std::unordered_map<Cell, std::size_t> occupant;
+  for (std::size_t agent = 0; agent < from.size(); ++agent) {
+    entrants[to[agent]].push_back(agent);
+    occupant[from[agent]] = agent;
+  }
+  std::vector<std::size_t> result;
+  for (std::size_t agent = 0; agent < from.size(); ++agent) {
+    const auto ahead = occupant.find(to[agent]);
+    const bool is_swap = ahead != occupant.end() && to[ahead->second] == from[agent];
+    if (to[agent] != from[agent] && (is_swap || entrants[to[agent]].size() > 1)) {
+      result.push_back(agent);
+    }
+  }
+  if (!rotations && result.empty()) {
+    for (const auto& rotation : findRotations(from, to)) {
+      result.insert(result.end(), rotation.begin(), rotation.end());
+    }
+  }
+  return result;
+}
+
 /// Everybody walks at random; following is allowed, vertex and edge conflicts are not.
 /// @param rotations  whether agents may rotate
 inline Configuration randomStep(const Grid& grid, const Configuration& from, bool rotations,
@@ -33,36 +59,10 @@ inline Configuration randomStep(const Grid& grid, const Configuration& from, boo
   }
   // Whoever is in conflict stays. That makes new conflicts with those behind, until nobody moves at
   // worst.
-  for (bool is_settled = false; !is_settled;) {
-    is_settled = true;
-    const auto stay = [&](std::size_t agent) {
-      is_settled = is_settled && to[agent] == from[agent];
+  for (auto in_conflict = agentsInConflict(from, to, rotations); !in_conflict.empty();
+       in_conflict = agentsInConflict(from, to, rotations)) {
+    for (const std::size_t agent : in_conflict) {
       to[agent] = from[agent];
-    };
-    std::unordered_map<Cell, std::vector<std::size_t>> entrants;
-    std::unordered_map<Cell, std::size_t> occupant;
-    for (std::size_t agent = 0; agent < from.size(); ++agent) {
-      entrants[to[agent]].push_back(agent);
-      occupant[from[agent]] = agent;
-    }
-    for (const auto& [cell, agents] : entrants) {
-      if (agents.size() > 1) {
-        std::for_each(agents.begin(), agents.end(), stay);
-      }
-    }
-    for (std::size_t agent = 0; agent < from.size(); ++agent) {
-      const auto ahead = occupant.find(to[agent]);
-      if (ahead != occupant.end() && ahead->second != agent && to[ahead->second] == from[agent]) {
-        stay(ahead->second);
-        stay(agent);
-      }
-    }
-    if (!rotations && is_settled) {
-      for (const auto& rotation : findRotations(from, to)) {
-        for (const AgentId agent : rotation) {
-          stay(static_cast<std::size_t>(agent));
-        }
-      }
     }
   }
   return to;
