@@ -18,10 +18,10 @@ void spreadOnce(const std::uint64_t* from, std::uint64_t* to, const ReservationT
   const int skip = layout.stride / kBitsPerWord;
   const int shift = layout.stride % kBitsPerWord;
   const std::uint64_t* closed = table.closed(arrival);
-  const std::uint64_t* to_north = closed + words * (1 + ReservationTable::kNorth);
-  const std::uint64_t* to_east = closed + words * (1 + ReservationTable::kEast);
-  const std::uint64_t* to_south = closed + words * (1 + ReservationTable::kSouth);
-  const std::uint64_t* to_west = closed + words * (1 + ReservationTable::kWest);
+  const std::uint64_t* to_north = closed + words * (1 + ReservationTable::North);
+  const std::uint64_t* to_east = closed + words * (1 + ReservationTable::East);
+  const std::uint64_t* to_south = closed + words * (1 + ReservationTable::South);
+  const std::uint64_t* to_west = closed + words * (1 + ReservationTable::West);
   for (int word = 0; word < words; ++word) {
     const std::uint64_t* here = from + word;
     const std::uint64_t east = here[0] << 1 | here[-1] >> (kBitsPerWord - 1);
@@ -71,7 +71,7 @@ Timestep PathSearch::spread(const ReservationTable& table, VertexId start, Verte
   }
   const BitLayout& layout = table.layout();
   margin_ = layout.stride / kBitsPerWord + 2;
-  const std::size_t row = static_cast<std::size_t>(layout.words + 2 * margin_);
+  const auto row = static_cast<std::size_t>(layout.words + 2 * margin_);
   const std::size_t needed = row * static_cast<std::size_t>(table.horizon() + 1);
   if (reached_.size() < needed) {
     reached_.assign(needed, 0);
@@ -104,7 +104,7 @@ Timestep PathSearch::spread(const ReservationTable& table, VertexId start, Verte
 }
 
 bool PathSearch::isReached(const BitLayout& layout, VertexId vertex, Timestep timestep) const {
-  const std::size_t row = static_cast<std::size_t>(layout.words + 2 * margin_);
+  const auto row = static_cast<std::size_t>(layout.words + 2 * margin_);
   const std::uint32_t bit = layout.bitOf(vertex);
   return (reached_[static_cast<std::size_t>(timestep) * row + margin_ + bit / kBitsPerWord] >>
               (bit % kBitsPerWord) &

@@ -76,10 +76,10 @@ void ReservationTable::setSwapsClosed(const VertexPath& path, bool is_closed) {
 std::size_t ReservationTable::wordOf(VertexId from, VertexId to, Timestep arrival) const {
   const auto bit = static_cast<int>(layout_.bitOf(to));
   const int shift = bit - static_cast<int>(layout_.bitOf(from));
-  const Direction direction = shift == 1                ? kEast
-                              : shift == -1             ? kWest
-                              : shift == layout_.stride ? kSouth
-                                                        : kNorth;
+  const Direction direction = shift == 1                ? East
+                              : shift == -1             ? West
+                              : shift == layout_.stride ? South
+                                                        : North;
   return static_cast<std::size_t>(arrival) *
              static_cast<std::size_t>(kRowsPerLayer * layout_.words) +
          static_cast<std::size_t>((1 + direction) * layout_.words + bit / kBitsPerWord);

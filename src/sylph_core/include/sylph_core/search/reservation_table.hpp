@@ -36,7 +36,7 @@ struct BitLayout {
 class ReservationTable {
  public:
   /// Of a move, in the order of the rows of a layer.
-  enum Direction { kNorth, kEast, kSouth, kWest };
+  enum Direction { North, East, South, West };
 
   /// @param horizon  last timestep, > 0; no path may be longer
   /// @param graph    must outlive this object
