@@ -129,7 +129,7 @@ std::string nameOf(std::int32_t type, ByteReader reader) {
   if (type < 0 || static_cast<std::size_t>(type) >= names.size()) {
     return "description of unknown type " + std::to_string(type);
   }
-  const std::string name = names[static_cast<std::size_t>(type)];
+  std::string name = names[static_cast<std::size_t>(type)];
   try {
     if (type == kForcePlate || type == kDevice) {
       reader.skip(4, "id");

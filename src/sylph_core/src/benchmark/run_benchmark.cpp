@@ -28,6 +28,7 @@ std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
                                        const PlanningLimits& limits, int jobs,
                                        const BenchmarkProgress& progress) {
   std::vector<std::unique_ptr<Planner>> made;
+  made.reserve(planners.size());
   for (const std::string& name : planners) {
     made.push_back(makePlanner(name, policy));
   }

@@ -41,7 +41,7 @@ RobotController::RobotController(const RobotControllerOptions& options, const Gr
 }
 
 TaskAnswer RobotController::onTask(const TaskOrder& task, double now_s) {
-  const TaskAnswer answer = tasks_.offer(task, whereabouts(now_s));
+  TaskAnswer answer = tasks_.offer(task, whereabouts(now_s));
   if (answer.verdict == TaskVerdict::Accepted) {
     refusal_.clear();
     followTasks();

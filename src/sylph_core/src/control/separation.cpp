@@ -16,7 +16,8 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
 
-SeparationWatch::SeparationWatch(std::vector<Footprint> sizes, const SeparationLimits& limits)
+SeparationWatch::SeparationWatch(const std::vector<Footprint>& sizes,
+                                 const SeparationLimits& limits)
     : limits_(limits), closest_ever_{-1, -1, kInfinity} {
   for (const Footprint& size : sizes) {
     Track track;
@@ -109,7 +110,7 @@ Footprint SeparationWatch::whereItStops(const Track& track) const {
   return stopped;
 }
 
-double SeparationWatch::lowestGap(const Track& a, const Track& b) const {
+double SeparationWatch::lowestGap(const Track& a, const Track& b) {
   return distance(a.footprint.center, b.footprint.center) - a.radius_m - b.radius_m;
 }
 

@@ -77,7 +77,7 @@ Configuration readConfiguration(const std::string& path, std::size_t line, Scann
 /// Plans of thousands of agents have tens of millions of numbers.
 void append(int value, std::string& text) {
   std::array<char, 12> digits{};
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
+  char* const end = std::to_chars(digits.data(), digits.data() + digits.size(), value).ptr;
   text.append(digits.data(), end);
 }
 

@@ -16,10 +16,10 @@ using Multiply = void (*)(const Multiplication&);
 // The fastest kernel that this processor can run.
 Multiply multiplyOfThisProcessor() {
 #ifdef SYLPH_X86_KERNELS
-  if (__builtin_cpu_supports("avx512f") != 0) {
+  if (__builtin_cpu_supports("avx512f")) {
     return policy_kernels::multiplyRowsAvx512;
   }
-  if (__builtin_cpu_supports("avx2") != 0 && __builtin_cpu_supports("fma") != 0) {
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma")) {
     return policy_kernels::multiplyRowsAvx2;
   }
 #endif

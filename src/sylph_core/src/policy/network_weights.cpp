@@ -74,7 +74,8 @@ std::vector<float> channelsLast(const std::vector<float>& values, int outputs, i
 }
 
 std::vector<float> zeros(int count) {
-  return std::vector<float>(static_cast<std::size_t>(count), 0.F);
+  std::vector<float> values(static_cast<std::size_t>(count), 0.F);
+  return values;
 }
 
 }  // namespace

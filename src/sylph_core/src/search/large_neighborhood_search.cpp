@@ -168,6 +168,7 @@ void LargeNeighborhoodSearch::shrinkTable() {
   }
   if (horizonFor(makespan) * 10 < table_.horizon() * 9) {
     std::vector<VertexPath> paths;
+    paths.reserve(static_cast<std::size_t>(problem_->agentCount()));
     for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
       paths.push_back(table_.path(agent));
     }

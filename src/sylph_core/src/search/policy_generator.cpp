@@ -11,6 +11,7 @@ namespace {
 
 std::vector<double> distancesFromStart(const SearchProblem& problem) {
   std::vector<double> distances;
+  distances.reserve(problem.starts.size());
   for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
     distances.push_back(problem.distances.get(agent, problem.starts[agent]));
   }
@@ -40,7 +41,7 @@ class PolicyGuidedSteps : public JointSteps {
   PolicyGuidedSteps(PibtSteps by_distance, PolicyRanking ranking, Pibt& pibt,
                     const Vertices& configuration, int patience)
       : by_distance_(std::move(by_distance)),
-        ranking_(ranking),
+        ranking_(std::move(ranking)),
         pibt_(&pibt),
         configuration_(&configuration),
         patience_(patience) {}

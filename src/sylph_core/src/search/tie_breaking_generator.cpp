@@ -1,6 +1,7 @@
 #include "sylph_core/search/tie_breaking_generator.hpp"
 
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "sylph_core/grid/action.hpp"
@@ -15,7 +16,7 @@ class TieBreakingSteps : public JointSteps {
                    const std::vector<float>& svo_deg, const Vertices& configuration)
       : problem_(&problem),
         grid_(&grid),
-        ranking_(ranking),
+        ranking_(std::move(ranking)),
         svo_deg_(&svo_deg),
         configuration_(&configuration),
         occupied_now_(static_cast<std::size_t>(problem.graph.size()), kNoAgent),

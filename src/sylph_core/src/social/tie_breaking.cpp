@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <string>
 #include <unordered_map>
+#include <utility>
 
 namespace sylph {
 namespace {
@@ -13,8 +14,8 @@ namespace {
 /// Who is where and who heads where, kept up to date while actions change to Stay.
 class JointAction {
  public:
-  JointAction(const Configuration& cells, const std::vector<Action>& desired)
-      : cells_(cells), actions_(desired) {
+  JointAction(const Configuration& cells, std::vector<Action> desired)
+      : cells_(cells), actions_(std::move(desired)) {
     for (std::size_t agent = 0; agent < cells.size(); ++agent) {
       const auto id = static_cast<AgentId>(agent);
       if (!occupant_.emplace(cells[agent], id).second) {
@@ -135,14 +136,14 @@ TieBreaking breakTies(const Grid& grid, const MotionModel& motion, const Configu
   while (!chain.isEmpty()) {
     const AgentId agent = chain.take();
     const std::vector<AgentId> rivals = joint.rivals(agent);
-    if (!grid.isFree(joint.target(agent))) {
+    const bool is_blocked = !grid.isFree(joint.target(agent)) ||
+                            (rivals.empty() && !motion.rotations && joint.isInRotation(agent));
+    if (is_blocked) {
       is_penalized[static_cast<std::size_t>(agent)] = true;
     } else if (!rivals.empty()) {
       for (const AgentId rival : rivals) {
         penalize(agent, rival);
       }
-    } else if (!motion.rotations && joint.isInRotation(agent)) {
-      is_penalized[static_cast<std::size_t>(agent)] = true;
     } else {
       continue;
     }

@@ -92,6 +92,7 @@ std::vector<std::vector<bool>> closureOf(const ActionDependencyGraph& graph,
     }
   }
   std::vector<std::size_t> id_of;
+  id_of.reserve(moves.size());
   std::vector<std::size_t> next(static_cast<std::size_t>(graph.agentCount()), 0);
   for (const Move& move : moves) {
     id_of.push_back(static_cast<std::size_t>(

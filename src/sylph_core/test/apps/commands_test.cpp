@@ -44,7 +44,7 @@ CommandResult run(const std::string& command) {
 class CommandsTest : public ::testing::Test {
  protected:
   /// Expects exit status 2 and one line, "sylph_<command>: ... <error>".
-  void expectRefused(const std::string& error, const std::string& command) const {
+  static void expectRefused(const std::string& error, const std::string& command) {
     const CommandResult refused = run(command);
     EXPECT_EQ(2, refused.status) << command;
     const std::string name = "sylph_" + command.substr(0, command.find(' '));

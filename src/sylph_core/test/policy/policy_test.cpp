@@ -16,7 +16,7 @@ class PolicyTest : public ::testing::Test {
  protected:
   void expectRefused(const std::string& error) const {
     try {
-      Policy(weights_, "w.safetensors");
+      const Policy policy(weights_, "w.safetensors");
       FAIL() << "accepted";
     } catch (const std::runtime_error& thrown) {
       EXPECT_EQ("w.safetensors: " + error, thrown.what());
@@ -102,7 +102,7 @@ TEST_F(PolicyTest, ReadsTheCostNetworkBesideThePolicy) {
   EXPECT_EQ(policy.network().multiplyAdds(), policy.costNetwork()->multiplyAdds());
   weights_.tensors.erase("cost.goal.bias");
   try {
-    Policy(weights_, "w.safetensors");
+    const Policy refused(weights_, "w.safetensors");
     FAIL() << "accepted";
   } catch (const std::runtime_error& thrown) {
     EXPECT_EQ(

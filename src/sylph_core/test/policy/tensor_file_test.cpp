@@ -16,7 +16,7 @@ std::string pathOf(const std::string& name) {
 }
 
 std::string writeBytes(const std::string& bytes) {
-  const std::string path = pathOf("bad.safetensors");
+  std::string path = pathOf("bad.safetensors");
   std::ofstream(path, std::ios::binary) << bytes;
   return path;
 }

@@ -78,7 +78,7 @@ TEST_F(PolicyRankingTest, WithoutDistanceTheFirstMoveIsADrawFromTheSoftmax) {
     ++drawn[ranked({0.0, 0.0, 1.0, 1.0, 1.0}).front()];
   }
   for (const Action action : kActions) {
-    const double expected =
+    const auto expected =
         static_cast<double>(weights(static_cast<Eigen::Index>(action)) / weights.sum());
     EXPECT_NEAR(expected, static_cast<double>(drawn[action]) / kDraws, 0.015);
   }

@@ -54,6 +54,14 @@ Configuration reached(const World& world, const std::vector<Action>& actions) {
   return cells;
 }
 
+bool isInRotation(const World& world, const std::vector<Action>& actions, std::size_t agent) {
+  const auto rotations = findRotations(world.cells, reached(world, actions));
+  return std::any_of(rotations.begin(), rotations.end(), [&](const auto& rotation) {
+    return std::find(rotation.begin(), rotation.end(), static_cast<AgentId>(agent)) !=
+           rotation.end();
+  });
+}
+
 /// Alg. 3 line by line, everything looked up anew by comparing all pairs.
 TieBreaking literalAlgorithm3(const World& world) {
   const std::size_t count = world.cells.size();
@@ -89,11 +97,8 @@ TieBreaking literalAlgorithm3(const World& world) {
     const std::size_t i = chain.front();
     chain.pop_front();
     const std::vector<std::size_t> restricting = causes(i);
-    bool rotates = false;
-    for (const auto& rotation : findRotations(world.cells, reached(world, actions))) {
-      rotates |=
-          std::find(rotation.begin(), rotation.end(), static_cast<AgentId>(i)) != rotation.end();
-    }
+    const bool rotates = isInRotation(world, actions, i);
+    // NOLINTNEXTLINE(bugprone-branch-clone): the order of the algorithm's lines
     if (!world.grid.isFree(neighbor(world.cells[i], actions[i]))) {
       penalized[i] = true;
       stay(i);

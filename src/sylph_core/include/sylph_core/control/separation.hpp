@@ -35,7 +35,7 @@ struct PairGap {
 class SeparationWatch {
  public:
   /// @param sizes  length and width of each robot; where they are does not matter
-  SeparationWatch(std::vector<Footprint> sizes, const SeparationLimits& limits);
+  SeparationWatch(const std::vector<Footprint>& sizes, const SeparationLimits& limits);
 
   /// Takes a pose. One that is not finite, or not newer than the last one, is ignored.
   /// @param stamp_s  time of capture [s]
@@ -65,7 +65,7 @@ class SeparationWatch {
 
   static std::size_t index(int robot) { return static_cast<std::size_t>(robot); }
   Footprint whereItStops(const Track& track) const;
-  double lowestGap(const Track& a, const Track& b) const;
+  static double lowestGap(const Track& a, const Track& b);
 
   SeparationLimits limits_;
   std::vector<Track> tracks_;
