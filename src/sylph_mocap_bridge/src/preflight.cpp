@@ -1,9 +1,8 @@
 #include "sylph_mocap_bridge/preflight.hpp"
 
 #include <algorithm>
-#include <cctype>
-#include <numeric>
-#include <utility>
+
+#include "sylph_core/files/nearest_names.hpp"
 
 namespace sylph_mocap_bridge {
 namespace {
@@ -106,47 +105,14 @@ Finding wrongNames(const LinkStatus& status) {
                                "; the server has: " + join(status.offered)};
 }
 
-/// Letters and digits, small: what is left of names that differ in nothing else.
-std::string skeletonOf(const std::string& name) {
-  std::string skeleton;
-  for (const char c : name) {
-    if (std::isalnum(static_cast<unsigned char>(c)) != 0) {
-      skeleton.push_back(static_cast<char>(std::tolower(static_cast<unsigned char>(c))));
-    }
-  }
-  return skeleton;
-}
-
-/// Characters to insert, remove or replace (Levenshtein 1966).
-std::size_t editDistance(const std::string& a, const std::string& b) {
-  std::vector<std::size_t> distance(b.size() + 1);
-  std::iota(distance.begin(), distance.end(), 0);
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    std::size_t diagonal = distance[0];
-    distance[0] = i + 1;
-    for (std::size_t j = 0; j < b.size(); ++j) {
-      const std::size_t replaced = diagonal + (a[i] == b[j] ? 0 : 1);
-      diagonal = distance[j + 1];
-      distance[j + 1] = std::min({replaced, distance[j] + 1, distance[j + 1] + 1});
-    }
-  }
-  return distance.back();
-}
-
 /// Of each of the names its nearest two among those that there are, without repetition.
 std::vector<std::string> nearest(const std::vector<std::string>& names,
                                  const std::vector<std::string>& existing) {
-  constexpr std::size_t kEach = 2;
   std::vector<std::string> chosen;
   for (const std::string& name : names) {
-    std::vector<std::pair<std::size_t, std::string>> ranked;
-    for (const std::string& candidate : existing) {
-      ranked.emplace_back(editDistance(skeletonOf(name), skeletonOf(candidate)), candidate);
-    }
-    std::sort(ranked.begin(), ranked.end());
-    for (std::size_t i = 0; i < std::min(kEach, ranked.size()); ++i) {
-      if (std::find(chosen.begin(), chosen.end(), ranked[i].second) == chosen.end()) {
-        chosen.push_back(ranked[i].second);
+    for (const std::string& candidate : sylph::nearestNames(name, existing)) {
+      if (std::find(chosen.begin(), chosen.end(), candidate) == chosen.end()) {
+        chosen.push_back(candidate);
       }
     }
   }

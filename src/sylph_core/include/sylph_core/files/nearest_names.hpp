@@ -1,0 +1,17 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace sylph {
+
+/// Of the names that there are those that somebody may have meant who wrote `name`, the nearest
+/// first: by characters to insert, remove or replace (Levenshtein 1966), where only letters and
+/// digits count and capitals do not.
+/// @param most  names to give at most
+std::vector<std::string> nearestNames(const std::string& name,
+                                      const std::vector<std::string>& existing,
+                                      std::size_t most = 2);
+
+}  // namespace sylph
