@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <map>
+#include <optional>
 
+#include "sylph_core/mission/goal_judge.hpp"
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_planner_node/mission_text.hpp"
 #include "sylph_ros/conversions.hpp"
@@ -48,12 +49,10 @@ void requireRobots(const ExecuteMissionGoal& goal, const sylph::Experiment& lab)
     refuse(std::to_string(goal.robots.size()) + " robots but " + std::to_string(goal.goals.size()) +
            " goals");
   }
+  const std::vector<std::string> names = namesOf(lab);
   for (auto robot = goal.robots.begin(); robot != goal.robots.end(); ++robot) {
-    const bool is_known =
-        std::any_of(lab.robots.begin(), lab.robots.end(),
-                    [&](const sylph::RobotSpec& spec) { return spec.name == *robot; });
-    if (!is_known) {
-      refuse("unknown robot '" + *robot + "': it is not in " + lab.path);
+    if (std::find(names.begin(), names.end(), *robot) == names.end()) {
+      refuse(sylph::unknownRobot(*robot, names));
     }
     if (std::find(goal.robots.begin(), robot, *robot) != robot) {
       refuse("robot " + *robot + " is named twice");
@@ -62,20 +61,15 @@ void requireRobots(const ExecuteMissionGoal& goal, const sylph::Experiment& lab)
 }
 
 void requireGoals(const sylph::Mission& mission) {
-  std::map<sylph::Cell, std::string> owner;
+  const sylph::GoalJudge judge(mission.grid);
+  sylph::CellOwners taken;
   for (std::size_t i = 0; i < mission.robots.size(); ++i) {
-    const sylph::Cell& goal = mission.goals[i];
-    const std::string subject = "goal " + sylph::toString(goal) + " of " + mission.robots[i];
-    if (!mission.grid.isInside(goal)) {
-      refuse(subject + " lies outside the map of " + sizeOf(mission.grid));
+    const std::string refusal =
+        judge.refusal(mission.robots[i], mission.goals[i], std::nullopt, taken);
+    if (!refusal.empty()) {
+      refuse(refusal);
     }
-    if (!mission.grid.isFree(goal)) {
-      refuse(subject + " lies on an obstacle");
-    }
-    const auto [other, is_new] = owner.emplace(goal, mission.robots[i]);
-    if (!is_new) {
-      refuse(subject + " is also the goal of " + other->second);
-    }
+    taken.emplace(mission.goals[i], mission.robots[i]);
   }
 }
 

@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadRequest{"FewerGoals", [](ExecuteMissionGoal& g) { g.goals.pop_back(); },
                    "3 robots but 2 goals"},
         BadRequest{"UnknownRobot", [](ExecuteMissionGoal& g) { g.robots[1] = "robot_9"; },
-                   "unknown robot 'robot_9'"},
+                   "unknown robot 'robot_9'; the nearest names are robot_0, robot_1"},
         BadRequest{"RobotTwice", [](ExecuteMissionGoal& g) { g.robots[1] = "robot_0"; },
                    "robot robot_0 is named twice"},
         BadRequest{"MissingMap", [](ExecuteMissionGoal& g) { g.map = "/nowhere.map"; },

@@ -6,7 +6,6 @@
 #include <memory>
 #include <optional>
 
-#include "sylph_core/grid/components.hpp"
 #include "sylph_core/mapf/check_plan.hpp"
 
 namespace sylph {
@@ -92,32 +91,31 @@ MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string
 }
 
 Instance toInstance(const Mission& mission, const Configuration& starts,
-                    const std::vector<Cell>& obstacles) {
-  Instance instance;
-  instance.grid = mission.grid;
-  instance.starts = starts;
-  instance.goals = mission.goals;
-  instance.motion.rotations = false;
-  for (const Cell& cell : obstacles) {
-    instance.grid.setObstacle(cell);
-  }
-  const std::vector<int> label = connectedComponents(instance.grid).label;
-  const auto component = [&](const Cell& cell) {
-    return label[static_cast<std::size_t>(instance.grid.indexOf(cell))];
-  };
+                    const CellOwners& bystanders) {
+  const GoalJudge judge(mission.grid, bystanders);
   for (std::size_t i = 0; i < starts.size(); ++i) {
-    if (!instance.grid.isFree(starts[i])) {
+    const auto bystander = bystanders.find(starts[i]);
+    if (bystander != bystanders.end()) {
       throw MissionFailure(MissionOutcome::NoPose,
-                           mission.robots[i] + " in cell " + toString(starts[i]) +
-                               " touches a robot that has no part in the mission");
+                           mission.robots[i] + " in cell " + toString(starts[i]) + " touches " +
+                               bystander->second + ", which has no part in the mission");
     }
-    if (component(starts[i]) != component(mission.goals[i])) {
-      throw MissionFailure(MissionOutcome::BadRequest,
-                           "goal " + toString(mission.goals[i]) + " of " + mission.robots[i] +
-                               " cannot be reached from its cell " + toString(starts[i]));
+    const std::string refusal = judge.refusal(mission.robots[i], mission.goals[i], starts[i]);
+    if (!refusal.empty()) {
+      throw MissionFailure(MissionOutcome::BadRequest, refusal);
     }
   }
-  return instance;
+  return {judge.grid(), starts, mission.goals, MotionModel{false}};
+}
+
+MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
+                     const RobotPoses& poses, bool ignores_unseen_robots) {
+  const Configuration starts = startCells(mission, poses);
+  if (!ignores_unseen_robots) {
+    requireBystandersSeen(mission, lab, poses);
+  }
+  const CellOwners bystanders = cellsOfBystanders(mission, lab, poses);
+  return {toInstance(mission, starts, bystanders), bystanders};
 }
 
 CheckedPlan planMission(const Mission& mission, const Instance& instance) {

@@ -220,20 +220,16 @@ void MissionLifecycle::tickPausing(double now_s) {
 }
 
 void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
-  const Configuration starts = startCells(mission_, poses);
-  if (!limits_.ignores_unseen_robots) {
-    requireBystandersSeen(mission_, lab_, poses);
-  }
-  bystanders_ = cellsOfBystanders(mission_, lab_, poses);
-  const Instance instance = toInstance(mission_, starts, bystanders_);
+  MissionStart start = startOf(mission_, lab_, poses, limits_.ignores_unseen_robots);
+  bystanders_ = std::move(start.bystanders);
   planned_robots_ = mission_.robots;
-  plan(planCommand(planMission, mission_, instance), now_s);
+  plan(planCommand(planMission, mission_, start.instance), now_s);
 }
 
 void MissionLifecycle::startReplanning(double now_s) {
   Mission limited = mission_;
   limited.time_limit_s = std::min(limited.time_limit_s, limits_.replanning_time_limit_s);
-  for (const Cell& cell : bystanders_) {
+  for (const auto& [cell, robot] : bystanders_) {
     limited.grid.setObstacle(cell);
   }
   const RestOfMission rest = restOfMission(limited, *state_);

@@ -85,10 +85,10 @@ void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>&
   }
 }
 
-std::vector<Cell> cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
-                                    const RobotPoses& poses) {
+CellOwners cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
+                             const RobotPoses& poses) {
   const CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
-  std::vector<Cell> cells;
+  CellOwners cells;
   for (const RobotSpec& robot : lab) {
     const auto measured = poses.find(robot.name);
     if (mission.indexOf(robot.name) < mission.robots.size() || measured == poses.end() ||
@@ -105,7 +105,7 @@ std::vector<Cell> cellsOfBystanders(const Mission& mission, const std::vector<Ro
     for (int row = top_left.row; row <= bottom_right.row; ++row) {
       for (int col = top_left.col; col <= bottom_right.col; ++col) {
         if (mission.grid.isInside({row, col})) {
-          cells.push_back({row, col});
+          cells.emplace(Cell{row, col}, robot.name);
         }
       }
     }

@@ -16,15 +16,17 @@ TEST(ToInstanceTest, RulesOutRotations) {
 }
 
 TEST(ToInstanceTest, NamesTheRobotThatIsCutOff) {
-  const std::vector<Cell> wall = {{0, 2}, {2, 2}};
-  EXPECT_EQ("1: goal (0,4) of robot_0 cannot be reached from its cell (0,0)",
-            failureOf([&] { toInstance(smallMission(), smallStarts(), wall); }));
+  const CellOwners wall = {{{0, 2}, "robot_8"}, {{2, 2}, "robot_9"}};
+  EXPECT_EQ(
+      "1: goal (0,4) of robot_0 cannot be reached from its cell (0,0) past robots without part in "
+      "the mission: robot_8, robot_9",
+      failureOf([&] { toInstance(smallMission(), smallStarts(), wall); }));
 }
 
 TEST(ToInstanceTest, NamesTheRobotThatTouchesABystander) {
-  EXPECT_EQ("2: robot_1 in cell (2,4) touches a robot that has no part in the mission",
+  EXPECT_EQ("2: robot_1 in cell (2,4) touches robot_9, which has no part in the mission",
             failureOf([&] {
-              toInstance(smallMission(), smallStarts(), {{2, 4}});
+              toInstance(smallMission(), smallStarts(), {{{2, 4}, "robot_9"}});
             }));
 }
 

@@ -98,7 +98,7 @@ TEST(CellsOfBystandersTest, AreThoseThatTheFootprintTouches) {
   RobotPoses poses = posesInStarts();
   poses["robot_1"].pose.x_m -= 0.1;   // 0.23 m long: reaches from (2,4) into (2,3)
   poses["robot_2"].fault = "is old";  // nobody knows where it is
-  EXPECT_EQ((std::vector<Cell>{{2, 3}, {2, 4}}),
+  EXPECT_EQ((CellOwners{{{2, 3}, "robot_1"}, {{2, 4}, "robot_1"}}),
             cellsOfBystanders(mission, smallLab().robots, poses));
 }
 
@@ -110,7 +110,7 @@ TEST(CellsOfBystandersTest, FollowTheHeading) {
   // Turned by 90 degrees the robot reaches 0.115 m along y, not 0.1 m.
   poses["robot_1"].pose.yaw_rad = std::acos(0.0);
   poses["robot_1"].pose.y_m += 0.04;
-  EXPECT_EQ((std::vector<Cell>{{1, 4}, {2, 4}}),
+  EXPECT_EQ((CellOwners{{{1, 4}, "robot_1"}, {{2, 4}, "robot_1"}}),
             cellsOfBystanders(mission, smallLab().robots, poses));
 }
 

@@ -6,7 +6,9 @@
 #include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_core/mapf/metrics.hpp"
+#include "sylph_core/mission/goal_judge.hpp"
 #include "sylph_core/mission/mission.hpp"
+#include "sylph_core/mission/start_cells.hpp"
 #include "sylph_core/planners/planner.hpp"
 
 namespace sylph {
@@ -27,10 +29,24 @@ MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string
 
 /// The instance of a mission: rotations are ruled out, since robots hold the cell that they leave
 /// until they have arrived in the next one.
-/// @throws MissionFailure (BadRequest) naming the robot whose goal cannot be reached or is taken
-/// by an obstacle
+/// @param bystanders  cells of robots without part in it, obstacles for its own
+/// @throws MissionFailure (BadRequest) with what GoalJudge says, (NoPose) naming the robot that
+/// touches a bystander's cell
 Instance toInstance(const Mission& mission, const Configuration& starts,
-                    const std::vector<Cell>& obstacles);
+                    const CellOwners& bystanders);
+
+/// What a mission begins with, by the poses of the robots.
+struct MissionStart {
+  Instance instance;
+  CellOwners bystanders;  ///< cells of robots without part in the mission, obstacles in `instance`
+};
+
+/// @param lab                    robots that there are
+/// @param ignores_unseen_robots  goes on although one without part in the mission is not seen
+/// @throws MissionFailure (NoPose, BadRequest) as startCells(), requireBystandersSeen() and
+/// toInstance()
+MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
+                     const RobotPoses& poses, bool ignores_unseen_robots);
 
 /// Plans and checks. Takes as long as the mission's time limit: meant for a thread of its own.
 /// @throws MissionFailure (NoPlan) if there is none or checkPlan() finds fault with it

@@ -158,11 +158,11 @@ class MissionLifecycle {
   std::uint32_t plan_id_ = 0;
   std::uint32_t replaces_plan_id_ = 0;
   std::vector<std::string> given_up_;
-  std::vector<Cell> bystanders_;  ///< cells of robots without part in the mission
-  std::string waits_for_;         ///< why a mission does not start yet
-  bool is_planning_ = false;      ///< for this mission or one that was left
-  bool has_published_ = false;    ///< a plan, and has not taken it back
-  bool has_paused_ = false;       ///< the pause that is in force was asked for here, by no operator
+  CellOwners bystanders_;       ///< cells of robots without part in the mission
+  std::string waits_for_;       ///< why a mission does not start yet
+  bool is_planning_ = false;    ///< for this mission or one that was left
+  bool has_published_ = false;  ///< a plan, and has not taken it back
+  bool has_paused_ = false;     ///< the pause that is in force was asked for here, by no operator
   double sent_s_ = 0.0;
   std::optional<AdgState> state_;  ///< the last one
   double state_received_s_ = 0.0;

@@ -6,6 +6,7 @@
 
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
+#include "sylph_core/mission/goal_judge.hpp"
 #include "sylph_core/mission/mission.hpp"
 
 namespace sylph {
@@ -31,9 +32,9 @@ void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>&
                            const RobotPoses& poses);
 
 /// The cells that robots of the lab without part in the mission stand on, as far as they have good
-/// poses: obstacles for everybody else. A footprint that reaches over an edge takes the cells on
-/// both sides.
-std::vector<Cell> cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
-                                    const RobotPoses& poses);
+/// poses, and who does: obstacles for everybody else. A footprint that reaches over an edge takes
+/// the cells on both sides.
+CellOwners cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
+                             const RobotPoses& poses);
 
 }  // namespace sylph

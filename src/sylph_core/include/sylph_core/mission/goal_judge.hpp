@@ -1,0 +1,51 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "sylph_core/grid/grid.hpp"
+
+namespace sylph {
+
+/// Who stands on a cell or wants it: the name of a robot.
+using CellOwners = std::map<Cell, std::string>;
+
+/// Says whether a robot can be sent to a cell, and why not. The one judge of goals: of those of a
+/// request, of the shell's and of the mouse's.
+class GoalJudge {
+ public:
+  /// @param bystanders  cells on the map that robots without part in the mission touch
+  explicit GoalJudge(const Grid& map, CellOwners bystanders = {});
+
+  /// Why `robot` cannot be sent to `goal`, in one line; empty: it can.
+  /// @param start  where it stands, a cell inside the map; nothing: not known, any goal is in reach
+  /// @param taken  goals of robots; the robot's own is no reason
+  std::string refusal(const std::string& robot, const Cell& goal, const std::optional<Cell>& start,
+                      const CellOwners& taken = {}) const;
+
+  /// The map; bystanders are obstacles in it.
+  const Grid& grid() const { return grid_; }
+
+ private:
+  std::string unreachable(const Cell& goal, const Cell& start) const;
+  int labelOf(const std::vector<int>& labels, const Cell& cell) const;
+
+  Grid map_;
+  Grid grid_;
+  CellOwners bystanders_;
+  std::vector<int> map_labels_;  ///< connected components without bystanders
+  std::vector<int> labels_;      ///< and with them
+};
+
+/// The free cell that is nearest to `cell`, of those equally near the first by rows; itself if it
+/// is free. A cell outside may be asked for.
+/// @return nothing if no cell is free
+std::optional<Cell> nearestFreeCell(const Grid& grid, const Cell& cell);
+
+/// One line for a name that no robot has, with the names that may have been meant.
+/// @param lab  the names that there are
+std::string unknownRobot(const std::string& name, const std::vector<std::string>& lab);
+
+}  // namespace sylph

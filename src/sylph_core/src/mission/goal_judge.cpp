@@ -1,0 +1,103 @@
+#include "sylph_core/mission/goal_judge.hpp"
+
+#include <set>
+#include <utility>
+
+#include "sylph_core/files/nearest_names.hpp"
+#include "sylph_core/grid/components.hpp"
+
+namespace sylph {
+namespace {
+
+Grid withObstacles(Grid grid, const CellOwners& bystanders) {
+  for (const auto& [cell, robot] : bystanders) {
+    grid.setObstacle(cell);
+  }
+  return grid;
+}
+
+template <typename Names>
+std::string joined(const Names& names) {
+  std::string text;
+  for (const std::string& name : names) {
+    text += (text.empty() ? "" : ", ") + name;
+  }
+  return text;
+}
+
+}  // namespace
+
+GoalJudge::GoalJudge(const Grid& map, CellOwners bystanders)
+    : map_(map),
+      grid_(withObstacles(map, bystanders)),
+      bystanders_(std::move(bystanders)),
+      map_labels_(connectedComponents(map_).label),
+      labels_(connectedComponents(grid_).label) {}
+
+std::string GoalJudge::refusal(const std::string& robot, const Cell& goal,
+                               const std::optional<Cell>& start, const CellOwners& taken) const {
+  const std::string subject = "goal " + toString(goal) + " of " + robot;
+  if (!map_.isInside(goal)) {
+    return subject + " lies outside the map of " + std::to_string(map_.rows()) + " x " +
+           std::to_string(map_.cols()) + " cells";
+  }
+  if (!map_.isFree(goal)) {
+    return subject + " lies on an obstacle";
+  }
+  const auto owner = taken.find(goal);
+  if (owner != taken.end() && owner->second != robot) {
+    return subject + " is also the goal of " + owner->second;
+  }
+  const auto bystander = bystanders_.find(goal);
+  if (bystander != bystanders_.end()) {
+    return subject + " is where " + bystander->second + " stands, which has no part in the mission";
+  }
+  const std::string reason = start ? unreachable(goal, *start) : "";
+  return reason.empty() ? reason : subject + " " + reason;
+}
+
+std::string GoalJudge::unreachable(const Cell& goal, const Cell& start) const {
+  const int label = labelOf(labels_, start);
+  if (labelOf(labels_, goal) == label) {
+    return {};
+  }
+  const std::string text = "cannot be reached from its cell " + toString(start);
+  if (labelOf(map_labels_, goal) != labelOf(map_labels_, start)) {
+    return text;
+  }
+  std::set<std::string> in_the_way;
+  for (const auto& [cell, robot] : bystanders_) {
+    for (const Cell& next : {Cell{cell.row - 1, cell.col}, Cell{cell.row + 1, cell.col},
+                             Cell{cell.row, cell.col - 1}, Cell{cell.row, cell.col + 1}}) {
+      if (grid_.isFree(next) && labelOf(labels_, next) == label) {
+        in_the_way.insert(robot);
+      }
+    }
+  }
+  return text + " past robots without part in the mission: " + joined(in_the_way);
+}
+
+int GoalJudge::labelOf(const std::vector<int>& labels, const Cell& cell) const {
+  return labels[static_cast<std::size_t>(grid_.indexOf(cell))];
+}
+
+std::optional<Cell> nearestFreeCell(const Grid& grid, const Cell& cell) {
+  std::optional<Cell> nearest;
+  long nearest_distance = 0;
+  for (const Cell& candidate : grid.freeCells()) {
+    const long rows = candidate.row - cell.row;
+    const long cols = candidate.col - cell.col;
+    const long distance = rows * rows + cols * cols;
+    if (!nearest || distance < nearest_distance) {
+      nearest = candidate;
+      nearest_distance = distance;
+    }
+  }
+  return nearest;
+}
+
+std::string unknownRobot(const std::string& name, const std::vector<std::string>& lab) {
+  return "unknown robot '" + name + "'; the nearest names are " + joined(nearestNames(name, lab));
+}
+
+}  // namespace sylph
