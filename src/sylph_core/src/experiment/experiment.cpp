@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "experiment/execution_members.hpp"
 #include "files/text_file.hpp"
 #include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/files/yaml_map.hpp"
@@ -90,21 +91,9 @@ PlanningSpec readPlanning(const YamlMap& yaml) {
 
 ExecutionSpec readExecution(const YamlMap& yaml) {
   ExecutionSpec spec;
-  const std::vector<std::pair<std::string, double*>> positive_members = {
-      {"speed_limit_mps", &spec.speed_limit_mps},
-      {"acceleration_limit_mps2", &spec.acceleration_limit_mps2},
-      {"turn_rate_limit_radps", &spec.turn_rate_limit_radps},
-      {"position_tolerance_m", &spec.position_tolerance_m},
-      {"heading_tolerance_rad", &spec.heading_tolerance_rad},
-      {"tracking_error_m", &spec.tracking_error_m},
-      {"pose_timeout_s", &spec.pose_timeout_s},
-      {"base_timeout_s", &spec.base_timeout_s},
-  };
-  for (const auto& [key, member] : positive_members) {
-    *member = yaml.number(key, *member, Range::positive());
+  for (const ExecutionMember& member : kExecutionMembers) {
+    spec.*member.value = yaml.number(member.key, spec.*member.value, member.range());
   }
-  spec.command_latency_s =
-      yaml.number("command_latency_s", spec.command_latency_s, Range::atLeast(0.0));
   yaml.refuseUnread();
   return spec;
 }

@@ -89,6 +89,11 @@ struct ExperimentOverrides {
 /// Unknown keys are errors.
 Experiment loadExperiment(const std::string& path, const ExperimentOverrides& overrides = {});
 
+/// Writes an experiment as a file that loadExperiment() reads: starts and goals are explicit, maps
+/// and weights are named by their absolute paths unless they lie in the file's own folder.
+/// @throws std::runtime_error naming the file if it is there already or cannot be written
+void saveExperiment(const Experiment& experiment, const std::string& path);
+
 /// Another map in the experiment's cells, made of its file as the experiment's own is.
 /// @throws std::runtime_error with one line if the file is no map, its cells are larger or it lies
 /// elsewhere
