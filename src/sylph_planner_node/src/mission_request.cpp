@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <exception>
-#include <optional>
 
 #include "sylph_core/mission/goal_judge.hpp"
 #include "sylph_core/planners/planner.hpp"
@@ -57,19 +56,6 @@ void requireRobots(const ExecuteMissionGoal& goal, const sylph::Experiment& lab)
     if (std::find(goal.robots.begin(), robot, *robot) != robot) {
       refuse("robot " + *robot + " is named twice");
     }
-  }
-}
-
-void requireGoals(const sylph::Mission& mission) {
-  const sylph::GoalJudge judge(mission.grid);
-  sylph::CellOwners taken;
-  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
-    const std::string refusal =
-        judge.refusal(mission.robots[i], mission.goals[i], std::nullopt, taken);
-    if (!refusal.empty()) {
-      refuse(refusal);
-    }
-    taken.emplace(mission.goals[i], mission.robots[i]);
   }
 }
 

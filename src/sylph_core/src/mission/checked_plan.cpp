@@ -78,6 +78,16 @@ CheckedPlan check(const Mission& mission, const Instance& instance, TimedResult 
 
 }  // namespace
 
+std::string certificateOf(const CheckedPlan& plan) {
+  const std::size_t robots = plan.instance.starts.size();
+  return std::to_string(plan.metrics.steps) + " steps, sum of costs " +
+         std::to_string(plan.metrics.sum_of_costs) + " (lower bound " +
+         std::to_string(sumOfCostsLowerBound(plan.instance)) +
+         "); checked: no two robots in one cell, none swap or rotate, " +
+         (robots == 1 ? "it ends on its goal"
+                      : "all " + std::to_string(robots) + " end on their goals");
+}
+
 MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string>& robots,
                           const std::string& planner) {
   MissionPlan mission_plan;
@@ -116,6 +126,25 @@ MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
   }
   const CellOwners bystanders = cellsOfBystanders(mission, lab, poses);
   return {toInstance(mission, starts, bystanders), bystanders};
+}
+
+CheckedPlan stillFitting(const Mission& mission, const Instance& instance,
+                         const CheckedPlan& plan) {
+  const auto refuse = [](const std::string& reason) {
+    throw MissionFailure(MissionOutcome::BadRequest, reason + ": plan again");
+  };
+  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
+    if (instance.starts[i] != plan.instance.starts[i]) {
+      refuse(mission.robots[i] + " stands in " + toString(instance.starts[i]) +
+             ", where the plan that was shown begins in " + toString(plan.instance.starts[i]));
+    }
+  }
+  if (const auto violation = checkPlan(instance, plan.plan)) {
+    refuse("the plan that was shown does not fit any more, " + violation->message);
+  }
+  CheckedPlan fitting = plan;
+  fitting.instance = instance;
+  return fitting;
 }
 
 CheckedPlan planMission(const Mission& mission, const Instance& instance) {

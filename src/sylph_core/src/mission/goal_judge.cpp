@@ -81,6 +81,19 @@ int GoalJudge::labelOf(const std::vector<int>& labels, const Cell& cell) const {
   return labels[static_cast<std::size_t>(grid_.indexOf(cell))];
 }
 
+void requireGoals(const Mission& mission) {
+  const GoalJudge judge(mission.grid);
+  CellOwners taken;
+  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
+    const std::string refusal =
+        judge.refusal(mission.robots[i], mission.goals[i], std::nullopt, taken);
+    if (!refusal.empty()) {
+      throw MissionFailure(MissionOutcome::BadRequest, refusal);
+    }
+    taken.emplace(mission.goals[i], mission.robots[i]);
+  }
+}
+
 std::optional<Cell> nearestFreeCell(const Grid& grid, const Cell& cell) {
   std::optional<Cell> nearest;
   long nearest_distance = 0;

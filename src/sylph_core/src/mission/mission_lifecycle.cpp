@@ -38,8 +38,9 @@ void MissionLifecycle::supersede(double now_s) {
   }
 }
 
-void MissionLifecycle::begin(Mission mission, double now_s) {
+void MissionLifecycle::begin(Mission mission, double now_s, std::optional<CheckedPlan> shown) {
   mission_ = std::move(mission);
+  shown_plan_ = std::move(shown);
   totals_ = {};
   totals_.robots = static_cast<std::uint32_t>(mission_.robots.size());
   replaces_plan_id_ = 0;
@@ -223,7 +224,11 @@ void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
   MissionStart start = startOf(mission_, lab_, poses, limits_.ignores_unseen_robots);
   bystanders_ = std::move(start.bystanders);
   planned_robots_ = mission_.robots;
-  plan(planCommand(planMission, mission_, start.instance), now_s);
+  if (shown_plan_) {
+    send(stillFitting(mission_, start.instance, *shown_plan_), now_s);
+  } else {
+    plan(planCommand(planMission, mission_, start.instance), now_s);
+  }
 }
 
 void MissionLifecycle::startReplanning(double now_s) {

@@ -65,6 +65,45 @@ TEST(PlanMissionTest, TellsWhenThereIsNoPlan) {
   EXPECT_EQ("3: planner lacam found no plan", failure.substr(0, 30)) << failure;
 }
 
+TEST(CertificateOfTest, TellsCostAndWhatWasChecked) {
+  Mission mission = smallMission();
+  mission.robots = {"robot_0"};
+  mission.goals = {{0, 4}};
+  const CheckedPlan plan = planMission(mission, toInstance(mission, {{0, 0}}, {}));
+  EXPECT_EQ(
+      "4 steps, sum of costs 4 (lower bound 4); checked: no two robots in one cell, none swap or "
+      "rotate, it ends on its goal",
+      certificateOf(plan));
+}
+
+TEST(StillFittingTest, TakesAPlanForRobotsThatHaveNotMoved) {
+  const Instance instance = toInstance(smallMission(), smallStarts(), {});
+  const CheckedPlan plan = planMission(smallMission(), instance);
+  EXPECT_EQ(plan.plan, stillFitting(smallMission(), instance, plan).plan);
+}
+
+TEST(StillFittingTest, NamesTheRobotThatHasMoved) {
+  const CheckedPlan plan =
+      planMission(smallMission(), toInstance(smallMission(), smallStarts(), {}));
+  Configuration moved = smallStarts();
+  moved[1] = {2, 3};
+  EXPECT_EQ("1: robot_1 stands in (2,3), where the plan that was shown begins in (2,4): plan again",
+            failureOf([&] {
+              stillFitting(smallMission(), toInstance(smallMission(), moved, {}), plan);
+            }));
+}
+
+TEST(StillFittingTest, RefusesAPlanThroughARobotThatHasComeInItsWay) {
+  Mission mission = smallMission();
+  mission.robots = {"robot_0"};
+  mission.goals = {{0, 4}};
+  const CheckedPlan plan = planMission(mission, toInstance(mission, {{0, 0}}, {}));
+  ASSERT_EQ(5U, plan.plan.size());
+  const Instance now = toInstance(mission, {{0, 0}}, {{{0, 2}, "robot_1"}});
+  const std::string failure = failureOf([&] { stillFitting(mission, now, plan); });
+  EXPECT_EQ(0U, failure.find("1: the plan that was shown does not fit any more, ")) << failure;
+}
+
 TEST(PlanAsFarAsPossibleTest, EndsWhereThePlannerCame) {
   Mission mission = smallMission();
   mission.grid = Grid::fromText("...\n");

@@ -133,6 +133,28 @@ TEST_F(MissionLifecycleTest, PlansSendsFollowsAndEnds) {
   EXPECT_EQ(Stage::Idle, lifecycle_.stage());
 }
 
+TEST_F(MissionLifecycleTest, CarriesOutThePlanThatWasShown) {
+  const CheckedPlan shown =
+      planMission(smallMission(), toInstance(smallMission(), smallStarts(), {}));
+  lifecycle_.begin(smallMission(), now_s_, shown);
+  hear();
+  EXPECT_EQ(Stage::Sending, lifecycle_.stage());
+  EXPECT_EQ(0U, count<mission_command::Plan>());
+  EXPECT_EQ(shown.plan, last<mission_command::Publish>().plan.plan);
+}
+
+TEST_F(MissionLifecycleTest, EndsWhenThePlanThatWasShownDoesNotFitAnyMore) {
+  const CheckedPlan shown =
+      planMission(smallMission(), toInstance(smallMission(), smallStarts(), {}));
+  poses_["robot_1"].pose = pose2dIn(smallMission(), {2, 3});
+  lifecycle_.begin(smallMission(), now_s_, shown);
+  hear();
+  EXPECT_EQ(MissionOutcome::BadRequest, result().outcome);
+  EXPECT_EQ("robot_1 stands in (2,3), where the plan that was shown begins in (2,4): plan again",
+            result().message);
+  EXPECT_EQ(0U, count<mission_command::Publish>());
+}
+
 TEST_F(MissionLifecycleTest, WaitsForWordFromTheCentralNodeAfterTheMissionCame) {
   lifecycle_.onAdgState(state_, now_s_ - 0.1);
   lifecycle_.begin(smallMission(), now_s_);

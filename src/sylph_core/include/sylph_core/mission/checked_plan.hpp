@@ -22,6 +22,9 @@ struct CheckedPlan {
   double planning_s = 0.0;          ///< by the clock of the mission's time limit [s]
 };
 
+/// What a plan costs and what checkPlan() vouches for, in one line for the operator.
+std::string certificateOf(const CheckedPlan& plan);
+
 /// The plan as it goes to the central node; its ids are left to the caller.
 /// @param robots  name of each agent
 MissionPlan toMissionPlan(const CheckedPlan& plan, const std::vector<std::string>& robots,
@@ -47,6 +50,12 @@ struct MissionStart {
 /// toInstance()
 MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
                      const RobotPoses& poses, bool ignores_unseen_robots);
+
+/// A plan that was shown before anybody moved, for robots that stand where they stand now.
+/// @param plan  of this mission
+/// @throws MissionFailure (BadRequest) with the robot that stands elsewhere, or with what
+/// checkPlan() says, if it does not fit any more
+CheckedPlan stillFitting(const Mission& mission, const Instance& instance, const CheckedPlan& plan);
 
 /// Plans and checks. Takes as long as the mission's time limit: meant for a thread of its own.
 /// @throws MissionFailure (NoPlan) if there is none or checkPlan() finds fault with it

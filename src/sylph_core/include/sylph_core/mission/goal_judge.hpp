@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sylph_core/grid/grid.hpp"
+#include "sylph_core/mission/mission.hpp"
 
 namespace sylph {
 
@@ -38,6 +39,10 @@ class GoalJudge {
   std::vector<int> map_labels_;  ///< connected components without bystanders
   std::vector<int> labels_;      ///< and with them
 };
+
+/// What can be said of a mission's goals without knowing where its robots are.
+/// @throws MissionFailure (BadRequest) with the first refusal
+void requireGoals(const Mission& mission);
 
 /// The free cell that is nearest to `cell`, of those equally near the first by rows; itself if it
 /// is free. A cell outside may be asked for.

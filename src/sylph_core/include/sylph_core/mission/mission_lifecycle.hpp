@@ -94,7 +94,8 @@ class MissionLifecycle {
   /// Ends the present mission, if there is one, since another one takes its place.
   void supersede(double now_s);
   /// Only while idle.
-  void begin(Mission mission, double now_s);
+  /// @param shown  a plan of this mission, to be carried out if it still fits; nothing: plan now
+  void begin(Mission mission, double now_s, std::optional<CheckedPlan> shown = std::nullopt);
   /// Robots that are under way hold at their next cells.
   void cancel(double now_s);
   /// Ends the mission, or a request before it has become one.
@@ -152,6 +153,7 @@ class MissionLifecycle {
   Stage stage_ = Stage::Idle;
   double stage_since_s_ = 0.0;
   Mission mission_;
+  std::optional<CheckedPlan> shown_plan_;
   MissionResult totals_;
   std::string last_outcome_ = "no mission yet";
   std::vector<std::string> planned_robots_;  ///< of the plan that is made, sent or carried out
