@@ -198,7 +198,7 @@ void CentralNode::onSeparation(const sylph_msgs::SeparationState& message) {
   if (std::isfinite(message.min_separation_m)) {
     record_.setMinSeparation(message.min_separation_m);
   }
-  if (message.violated) {
+  if (message.violated != 0) {
     emergency_reason_ = "separation monitor: " + message.min_robot_a + " and " +
                         message.min_robot_b + " came too close";
   }

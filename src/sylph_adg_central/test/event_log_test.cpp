@@ -110,7 +110,7 @@ TEST_F(EventLogTest, CutsOffWhatACrashLeftOfTheLastLine) {
     EventLog log(path_, names_);
     log.append({1.0, {1, event::Released{0, 0}}});
   }
-  write("{\"stamp\": 2.0, \"eve");
+  write(R"({"stamp": 2.0, "eve)");
   {
     EventLog log(path_, names_);
     EXPECT_EQ(1U, log.past().size());

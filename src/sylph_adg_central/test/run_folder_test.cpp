@@ -46,7 +46,7 @@ TEST_F(RunFolderTest, RefusesTheFolderOfARunThatIsOver) {
   node_.reset();
   nh_.setParam("run_folder_taken", "");  // as the next launch does
   try {
-    CentralNode(nh_, private_nh_);
+    const CentralNode second(nh_, private_nh_);
     FAIL() << "taken";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ("run folder " + folder_ + ": holds a run that is over; name one that does not exist" +

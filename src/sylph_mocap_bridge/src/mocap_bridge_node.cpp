@@ -29,8 +29,8 @@ unsigned char levelOf(Severity severity) {
 
 }  // namespace
 
-MocapBridgeNode::MocapBridgeNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
-    : nh_(std::move(nh)),
+MocapBridgeNode::MocapBridgeNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : nh_(nh),
       experiment_(sylph_ros::loadExperiment(nh_)),
       options_(loadOptions(private_nh, experiment_)),
       clock_(sylph_ros::SteadyClock::fromParameter(nh_, sylph_ros::LockStep::Stage::First)),

@@ -71,7 +71,7 @@ class MocapBridgeNodeTest : public testing::Test {
     node_ = std::make_unique<MocapBridgeNode>(ros::NodeHandle(), parameters_.handle());
   }
 
-  void expectSecondRobotStands(const PoseStamped& pose) {
+  static void expectSecondRobotStands(const PoseStamped& pose) {
     EXPECT_EQ("map", pose.header.frame_id);
     EXPECT_NEAR(0.5, pose.pose.position.x, 1e-6);
     EXPECT_NEAR(-0.25, pose.pose.position.y, 1e-6);

@@ -66,7 +66,7 @@ ClientOptions readClientOptions(sylph_ros::ParameterReader& reader) {
   return options;
 }
 
-MissionClient::MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
+MissionClient::MissionClient(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
       options_(sylph_ros::readStrictly(private_nh, readClientOptions)),
       experiment_(sylph_ros::loadExperiment(nh)),

@@ -15,7 +15,7 @@ std::string callTrigger(const std::string& service) {
   if (!ros::service::call(service, trigger)) {
     return service + ": no answer";
   }
-  return trigger.response.success ? std::string() : service + ": " + trigger.response.message;
+  return trigger.response.success != 0 ? std::string() : service + ": " + trigger.response.message;
 }
 
 }  // namespace

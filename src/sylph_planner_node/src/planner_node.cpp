@@ -27,7 +27,7 @@ sylph::MissionLimits limitsOf(const Options& options, double speed) {
 
 }  // namespace
 
-PlannerNode::PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
+PlannerNode::PlannerNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
       options_(sylph_ros::readStrictly(private_nh, readOptions)),
       lab_(sylph_ros::loadExperiment(nh)),

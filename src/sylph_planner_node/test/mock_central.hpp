@@ -32,7 +32,7 @@ class MockCentral {
   /// Steps that are carried out before it stops by itself.
   void haltAfter(std::uint32_t steps);
   /// Takes a robot out: the others go to the cut, which is where they are.
-  void lose(const std::string& robot);
+  void lose(const std::string& name);
   /// As if a plan had been received from another planner and were being carried out.
   void pretendToExecute(std::uint32_t plan_id, const sylph::Configuration& goals);
   void finish();

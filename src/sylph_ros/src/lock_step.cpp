@@ -145,7 +145,7 @@ void LockStep::runTimers() {
   timers_.erase(std::remove_if(timers_.begin(), timers_.end(),
                                [](const Timer& timer) { return timer.callback.expired(); }),
                 timers_.end());
-  // A timer may make timers.
+  // NOLINTNEXTLINE(modernize-loop-convert): a timer may make timers.
   for (std::size_t i = 0; i < timers_.size(); ++i) {
     if (timers_[i].next.isZero()) {
       timers_[i].next = start_ + timers_[i].period;

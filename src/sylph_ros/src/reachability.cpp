@@ -73,9 +73,11 @@ std::set<std::string> publishersBelow(const std::string& ns) {
     return nodes;
   }
   XmlRpc::XmlRpcValue& publishers = state[0];
+  // NOLINTNEXTLINE(modernize-loop-convert): an array of XmlRpc has no iterators.
   for (int topic = 0; topic < publishers.size(); ++topic) {
     if (isBelow(publishers[topic][0], ns)) {
       XmlRpc::XmlRpcValue& names = publishers[topic][1];
+      // NOLINTNEXTLINE(modernize-loop-convert): as above
       for (int node = 0; node < names.size(); ++node) {
         nodes.insert(static_cast<std::string>(names[node]));
       }

@@ -33,6 +33,7 @@ static_assert(isSame(sylph::RobotCondition::Ok, RobotExecution::OK) &&
 
 std::vector<sylph::Cell> toCells(const std::vector<sylph_msgs::Cell>& messages) {
   std::vector<sylph::Cell> cells;
+  cells.reserve(messages.size());
   for (const sylph_msgs::Cell& message : messages) {
     cells.push_back(fromMessage(message));
   }

@@ -14,7 +14,7 @@ std::string robotTopic(const ros::NodeHandle& nh, const std::string& robot,
 }
 
 ros::NodeHandle suiteHandle(const ros::NodeHandle& robot_nh) {
-  return ros::NodeHandle(fleetName(robot_nh, kSuiteNamespace));
+  return {fleetName(robot_nh, kSuiteNamespace)};
 }
 
 }  // namespace sylph_ros

@@ -42,12 +42,12 @@ class LockStepTest : public testing::Test {
   void nextTick(std::uint32_t announced) {
     ++tick_.number;
     tick_.now += ros::Duration(0.01);
-    tick_.has_all_counts = tick_.number == 1;
+    tick_.has_all_counts = tick_.number == 1 ? 1 : 0;
     tick_.topics = {kTopic};
     tick_.counts = {announced};
   }
 
-  bool isDone() const { return done_ && done_->number == tick_.number && !done_->is_busy; }
+  bool isDone() const { return done_ && done_->number == tick_.number && done_->is_busy == 0; }
 
   ros::NodeHandle nh_{"/sylph"};
   ros::Publisher ticks_ = nh_.advertise<sylph_msgs::LockStepTick>(kLockStepSecondTopic, 10);

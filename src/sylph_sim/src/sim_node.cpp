@@ -90,7 +90,7 @@ std::vector<std::string> expectedNodes(const ros::NodeHandle& nh,
 
 }  // namespace
 
-SimNode::SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh)
+SimNode::SimNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
     : options_(sylph_ros::readStrictly(private_nh, readOptions)),
       experiment_(sylph_ros::loadExperiment(nh)),
       is_in_lock_step_(isInLockStep(nh)),

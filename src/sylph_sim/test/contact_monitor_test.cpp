@@ -62,6 +62,7 @@ TEST(ContactMonitorTest, EqualsTheComparisonOfAllPairs) {
     double expected_m = std::numeric_limits<double>::infinity();
     for (int time = 0; time < 4; ++time) {
       std::vector<sylph::Footprint> robots;
+      robots.reserve(8);
       for (int robot = 0; robot < 8; ++robot) {
         robots.push_back(robotAt(draw(0.0, 3.0), draw(0.0, 3.0), draw(-3.0, 3.0)));
       }

@@ -48,7 +48,7 @@ class LockStepHostTest : public testing::Test {
   }
 
   /// @return whether the lab comes so far before 20 s of wall time have passed
-  bool reaches(int tick) {
+  bool reaches(int tick) const {
     const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(20.0);
     while (ros::SteadyTime::now() < deadline && advanced_ < tick) {
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.002));

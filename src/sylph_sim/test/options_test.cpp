@@ -19,7 +19,7 @@ sylph::Experiment twoRobots() {
 
 /// The parameters below this name are one test's own.
 ros::NodeHandle own(const std::string& name) {
-  return ros::NodeHandle("~/" + name);
+  return {"~/" + name};
 }
 
 /// What is said when the options are loaded; empty if nothing is wrong.

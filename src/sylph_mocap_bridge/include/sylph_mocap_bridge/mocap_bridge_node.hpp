@@ -23,7 +23,7 @@ namespace sylph_mocap_bridge {
 class MocapBridgeNode : public MeasurementSink {
  public:
   /// @throws std::runtime_error on a bad parameter, experiment or network address
-  MocapBridgeNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh);
+  MocapBridgeNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
 
   void onMeasurements(const std::vector<Measurement>& measurements, double now_s) override;
   void onRestart() override;

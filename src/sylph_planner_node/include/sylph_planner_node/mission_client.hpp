@@ -38,7 +38,7 @@ ClientOptions readClientOptions(sylph_ros::ParameterReader& reader);
 class MissionClient {
  public:
   /// @throws std::runtime_error on a bad parameter, experiment or weight file
-  MissionClient(ros::NodeHandle nh, const ros::NodeHandle& private_nh);
+  MissionClient(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
 
   /// Runs the whole mission. Callbacks must be served by another thread.
   /// @return whether all robots have arrived

@@ -28,7 +28,7 @@ namespace sylph_planner_node {
 class PlannerNode {
  public:
   /// @throws std::runtime_error on a bad parameter, experiment or weight file
-  PlannerNode(ros::NodeHandle nh, ros::NodeHandle private_nh);
+  PlannerNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
 
  private:
   using Server = actionlib::SimpleActionServer<sylph_msgs::ExecuteMissionAction>;
@@ -48,7 +48,7 @@ class PlannerNode {
   void carryOut(const sylph::mission_command::Withdraw& command);
   void carryOut(const sylph::mission_command::Pause& /*command*/) { mode_.pause(); }
   void carryOut(const sylph::mission_command::Resume& /*command*/) { mode_.resume(); }
-  void carryOut(const sylph::mission_command::Say& command);
+  static void carryOut(const sylph::mission_command::Say& command);
   void carryOut(const sylph::mission_command::End& command);
 
   ros::NodeHandle nh_;

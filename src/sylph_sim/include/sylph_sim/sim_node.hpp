@@ -24,7 +24,7 @@ class SimNode {
  public:
   /// @throws std::runtime_error or std::invalid_argument on a bad parameter or experiment, or if
   /// the port is taken
-  SimNode(ros::NodeHandle nh, ros::NodeHandle private_nh);
+  SimNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh);
 
  private:
   void startFreely(ros::NodeHandle& nh);
