@@ -19,7 +19,7 @@ void readDegrees(sylph_ros::ParameterReader& reader, const char* name, double& v
 }
 
 std::string nameFromNamespace(const ros::NodeHandle& nh) {
-  const std::string name_space = nh.getNamespace();
+  const std::string& name_space = nh.getNamespace();
   return name_space.substr(name_space.rfind('/') + 1);
 }
 

@@ -46,6 +46,32 @@ int processOf(const std::string& node) {
   return client.execute("getPid", who, response) ? static_cast<int>(response[2]) : -1;
 }
 
+/// What a second node of the same name says until it ends.
+std::string wordsOfSecondNode() {
+  FILE* second = popen("timeout 5 " SYLPH_ROBOT_EXECUTABLE " __ns:=robot_0 2>&1", "r");
+  if (second == nullptr) {
+    return "did not start";
+  }
+  std::string said;
+  std::array<char, 512> buffer{};
+  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), second) != nullptr) {
+    said += buffer.data();
+  }
+  pclose(second);
+  return said;
+}
+
+void expectZerosAfterTheKill(MockLab& lab, int process) {
+  lab.sendTask(2, 0, {0, 3}, {1, 3});
+  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) > 0.1; }));
+  ASSERT_EQ(0, kill(process, SIGINT));
+  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) == 0.0; }));
+  const std::size_t commands = lab.commandCount();
+  ASSERT_TRUE(waitUntil([&] { return !lab.hasCommander(); }));
+  EXPECT_GT(lab.commandCount(), commands + 5);
+  EXPECT_DOUBLE_EQ(0.0, speedOf(lab.command()));
+}
+
 // One story in order: the node lives through all of it.
 TEST(RobotNodeTest, ATaskFromHoldToShutdown) {
   MockLab lab({0, 0});
@@ -100,27 +126,13 @@ TEST(RobotNodeTest, ATaskFromHoldToShutdown) {
   // A second node of the same name leaves it alone and says so, once.
   const int process = processOf("/robot_0/sylph_robot");
   ASSERT_GT(process, 0);
-  FILE* second = popen("timeout 5 " SYLPH_ROBOT_EXECUTABLE " __ns:=robot_0 2>&1", "r");
-  ASSERT_NE(nullptr, second);
-  std::string said;
-  std::array<char, 512> buffer{};
-  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), second) != nullptr) {
-    said += buffer.data();
-  }
-  pclose(second);
+  const std::string said = wordsOfSecondNode();
   EXPECT_NE(std::string::npos, said.find("/robot_0/sylph_robot already runs at http://")) << said;
   EXPECT_EQ(1, std::count(said.begin(), said.end(), '\n')) << said;
   EXPECT_EQ(process, processOf("/robot_0/sylph_robot"));
 
   // Killed while it drives, it leaves zeros behind.
-  lab.sendTask(2, 0, {0, 3}, {1, 3});
-  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) > 0.1; }));
-  ASSERT_EQ(0, kill(process, SIGINT));
-  ASSERT_TRUE(waitUntil([&] { return speedOf(lab.command()) == 0.0; }));
-  const std::size_t commands = lab.commandCount();
-  ASSERT_TRUE(waitUntil([&] { return !lab.hasCommander(); }));
-  EXPECT_GT(lab.commandCount(), commands + 5);
-  EXPECT_DOUBLE_EQ(0.0, speedOf(lab.command()));
+  expectZerosAfterTheKill(lab, process);
 }
 
 }  // namespace
