@@ -31,8 +31,8 @@ std::optional<MapExtent> extentOf(const nav_msgs::OccupancyGrid& message) {
 }
 
 geometry_msgs::PolygonStamped footprintOf(const RobotView& robot) {
-  const float x = static_cast<float>(0.5 * robot.length_m);
-  const float y = static_cast<float>(0.5 * robot.width_m);
+  const auto x = static_cast<float>(0.5 * robot.length_m);
+  const auto y = static_cast<float>(0.5 * robot.width_m);
   geometry_msgs::PolygonStamped message;
   message.header.frame_id = robot.name;
   message.polygon.points.resize(4);

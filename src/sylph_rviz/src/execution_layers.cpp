@@ -32,7 +32,7 @@ sylph::Point directionOf(std::uint8_t action) {
 
 Marker badgeSign(const MarkerId& id, RobotStatus status, std::uint8_t action) {
   constexpr double kTop = height::kBadge + 0.01;
-  constexpr double r = 0.7 * kBadgeRadiusM;
+  const double r = 0.7 * kBadgeRadiusM;
   constexpr double kLine = 0.02;
   switch (status) {
     case RobotStatus::Enqueued: {
@@ -65,7 +65,8 @@ struct RootCause {
 std::map<std::string, RootCause> rootCauses(const Scene& scene) {
   std::map<std::string, RootCause> causes;
   for (const RobotView& robot : scene.robots) {
-    if (robot.execution && robot.execution->waiting && !robot.execution->root_cause_robot.empty()) {
+    if (robot.execution && robot.execution->waiting != 0 &&
+        !robot.execution->root_cause_robot.empty()) {
       RootCause& entry = causes[robot.execution->root_cause_robot];
       ++entry.held_up;
       entry.longest_s = std::max(entry.longest_s, robot.execution->waited_s);
@@ -166,7 +167,7 @@ Markers waitMarkers(const Scene& scene) {
       continue;
     }
     const int id = static_cast<int>(i);
-    if (robot.execution && robot.execution->waiting) {
+    if (robot.execution && robot.execution->waiting != 0) {
       addWait(scene, robot, id, markers);
     }
     const auto cause = causes.find(robot.name);

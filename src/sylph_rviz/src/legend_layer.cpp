@@ -131,7 +131,7 @@ void writeMission(const Scene& scene, Writer& writer) {
   if (scene.separation && std::isfinite(scene.separation->separation_m)) {
     writer.line(format("gap %.0f mm, smallest %.0f mm", 1e3 * scene.separation->separation_m,
                        1e3 * scene.separation->min_separation_m),
-                scene.separation->violated ? vermillion() : white());
+                scene.separation->violated != 0 ? vermillion() : white());
   }
 }
 

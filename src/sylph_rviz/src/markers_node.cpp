@@ -9,8 +9,8 @@
 
 namespace sylph_rviz {
 
-MarkersNode::MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh)
-    : nh_(std::move(nh)),
+MarkersNode::MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : nh_(nh),
       options_(sylph_ros::readStrictly(private_nh, readOptions)),
       clock_(sylph_ros::SteadyClock::ofSpectator(nh_)) {
   std::string experiment;

@@ -63,7 +63,7 @@ RobotStatus statusOf(const AdgState& state, const RobotExecution& robot) {
   if (state.mode != AdgState::RUN || robot.report_state == sylph_msgs::TaskReport::HOLDING) {
     return RobotStatus::Held;
   }
-  if (robot.waiting || robot.task_status == sylph_msgs::Task::STAGED) {
+  if (robot.waiting != 0 || robot.task_status == sylph_msgs::Task::STAGED) {
     return RobotStatus::Staged;
   }
   return RobotStatus::Enqueued;

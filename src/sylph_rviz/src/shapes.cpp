@@ -206,7 +206,7 @@ std::vector<sylph::Point> dashes(const sylph::Point& from, const sylph::Point& t
 
 Marker attach(Marker marker, const RobotView& robot, bool turn) {
   marker.header.frame_id = robot.name;
-  marker.frame_locked = true;
+  marker.frame_locked = 1;
   if (turn || !robot.pose) {
     return marker;
   }

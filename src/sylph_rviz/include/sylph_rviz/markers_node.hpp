@@ -26,7 +26,7 @@ namespace sylph_rviz {
 class MarkersNode {
  public:
   /// @throws std::runtime_error on a bad parameter or experiment
-  MarkersNode(ros::NodeHandle nh, const ros::NodeHandle& private_nh);
+  MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
 
  private:
   struct RobotInput {
