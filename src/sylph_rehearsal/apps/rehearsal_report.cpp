@@ -1,6 +1,7 @@
 #include "rehearsal_report.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <functional>
 #include <map>
@@ -20,7 +21,8 @@ std::string format(const char* pattern, Values... values) {
 
 /// The value below which a share of all lies, by the nearest rank.
 double quantile(const std::vector<double>& sorted, double share) {
-  const auto rank = static_cast<std::size_t>(share * static_cast<double>(sorted.size() - 1) + 0.5);
+  const auto rank =
+      static_cast<std::size_t>(std::lround(share * static_cast<double>(sorted.size() - 1)));
   return sorted[rank];
 }
 
@@ -99,6 +101,7 @@ std::vector<std::pair<double, std::string>> waits(const sylph::Experiment& exper
     }
   }
   std::vector<std::pair<double, std::string>> sorted;
+  sorted.reserve(sums.size());
   const auto name = [&](int robot) { return experiment.robots[std::size_t(robot)].name; };
   for (const auto& [pair, sum_s] : sums) {
     sorted.emplace_back(sum_s / static_cast<double>(runs.size()),

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 #include <variant>
 
 #include "sylph_core/adg/explanation.hpp"
@@ -42,9 +43,9 @@ sylph::ExecutionLimits limitsOf(const sylph::Experiment& experiment,
 
 }  // namespace
 
-Lab::Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
-         const std::shared_ptr<const sylph::Policy>& policy, const std::vector<LabFault>& faults)
-    : experiment_(experiment),
+Lab::Lab(sylph::Experiment experiment, const RehearsalOptions& options,
+         const std::shared_ptr<const sylph::Policy>& policy, std::vector<LabFault> faults)
+    : experiment_(std::move(experiment)),
       options_(options),
       queue_(kStart_s),
       simulation_(options.simulation, experiment_, kStart_s),
@@ -79,7 +80,7 @@ Lab::Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
                   to_central_.send([this, mode] { central_.setMode(mode, "by the planner"); });
                 }}),
       oracle_(experiment_),
-      faults_(faults),
+      faults_(std::move(faults)),
       progress_s_(kStart_s),
       waits_s_(experiment_.robots.size() * experiment_.robots.size(), 0.0) {
   makeLinks();

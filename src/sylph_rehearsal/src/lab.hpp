@@ -21,8 +21,8 @@ namespace sylph_rehearsal {
 /// All nodes of the lab, what is between them, and the simulated robots and cameras.
 class Lab {
  public:
-  Lab(const sylph::Experiment& experiment, const RehearsalOptions& options,
-      const std::shared_ptr<const sylph::Policy>& policy, const std::vector<LabFault>& faults);
+  Lab(sylph::Experiment experiment, const RehearsalOptions& options,
+      const std::shared_ptr<const sylph::Policy>& policy, std::vector<LabFault> faults);
   Lab(const Lab&) = delete;
   Lab& operator=(const Lab&) = delete;
 

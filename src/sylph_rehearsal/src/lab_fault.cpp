@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 
 #include "sylph_core/files/range.hpp"
 #include "sylph_core/files/yaml_map.hpp"
@@ -43,6 +44,7 @@ bool isOfLink(LabFaultKind kind) {
 
 std::vector<std::string> kindNames() {
   std::vector<std::string> names;
+  names.reserve(std::size(kSimulated) + std::size(kKinds));
   for (const FaultKind kind : kSimulated) {
     names.push_back(sylph_sim::toName(kind));
   }

@@ -118,11 +118,11 @@ void MissionPlanner::carryOut(const sylph::mission_command::Publish& command) {
   sendAgain();
 }
 
-void MissionPlanner::carryOut(const sylph::mission_command::Pause& /*command*/) {
+void MissionPlanner::carryOut(const sylph::mission_command::Pause& /*command*/) const {
   ports_.mode(sylph::ExecutionMode::Pause);
 }
 
-void MissionPlanner::carryOut(const sylph::mission_command::Resume& /*command*/) {
+void MissionPlanner::carryOut(const sylph::mission_command::Resume& /*command*/) const {
   ports_.mode(sylph::ExecutionMode::Run);
 }
 

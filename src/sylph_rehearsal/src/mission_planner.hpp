@@ -56,8 +56,8 @@ class MissionPlanner {
   void carryOut(const sylph::mission_command::Publish& command);
   void carryOut(const sylph::mission_command::PublishAgain& /*command*/) { sendAgain(); }
   void carryOut(const sylph::mission_command::Withdraw& /*command*/) { plan_.reset(); }
-  void carryOut(const sylph::mission_command::Pause& /*command*/);
-  void carryOut(const sylph::mission_command::Resume& /*command*/);
+  void carryOut(const sylph::mission_command::Pause& /*command*/) const;
+  void carryOut(const sylph::mission_command::Resume& /*command*/) const;
   void carryOut(const sylph::mission_command::Say& /*command*/) {}
   void carryOut(const sylph::mission_command::End& command);
 

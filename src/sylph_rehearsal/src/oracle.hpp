@@ -28,7 +28,7 @@ class Oracle {
   void onOrder(const sylph::TaskOrder& order, double time_s);
   /// A robot tells of itself, whether anybody hears it or not.
   /// @param place  where it truly is
-  void onReport(std::size_t robot, const sylph::RobotReport& report, const sylph::Point& place,
+  void onReport(std::size_t index, const sylph::RobotReport& report, const sylph::Point& place,
                 double time_s);
   /// A robot hears that it has to stop.
   void onStopHeard(std::size_t robot, double time_s);
@@ -62,8 +62,8 @@ class Oracle {
 
   void violate(double time_s, const std::string& what) { violations_.push_back({time_s, what}); }
   const std::string& name(std::size_t robot) const { return experiment_->robots[robot].name; }
-  void checkPlace(std::size_t robot, double time_s);
-  void checkRest(std::size_t robot, const sylph::Point& before, double step_s, double time_s);
+  void checkPlace(std::size_t index, double time_s);
+  void checkRest(std::size_t index, const sylph::Point& before, double step_s, double time_s);
 
   const sylph::Experiment* experiment_;
   sylph::CellFrame frame_;
