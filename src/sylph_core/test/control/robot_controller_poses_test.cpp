@@ -115,7 +115,7 @@ TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
 }
 
 TEST(RobotControllerTest, AJumpBackAlongTheWayOfBrakingIsNotBelieved) {
-  for (const double back_m : {0.045, 0.06, 0.075, 0.09}) {
+  for (const double back_m : {0.035, 0.045, 0.06, 0.09}) {
     SCOPED_TRACE(back_m);
     RobotWorld world({2, 0});
     world.run(0.2);

@@ -11,7 +11,7 @@ struct PoseWatchOptions {
   double timeout_s = 0.1;              ///< a pose older than this is stale, > 0
   double speed_limit_mps = 0.25;       ///< of the robot, > 0
   double turn_rate_limit_radps = 0.5;  ///< > 0
-  double jump_m = 0.03;  ///< a pose may be so far from where the robot was driven, > 0
+  double jump_m = 0.02;  ///< a pose may be so far from where the robot was driven, > 0
   double jump_rad = 0.296705972839036;  ///< the same for the yaw (17 deg), > 0
   double frozen_m = 0.03;     ///< commanded travel during which some digit has to change, > 0
   int good_poses = 3;         ///< in a row, before the pose is trusted again, > 0
