@@ -7,6 +7,7 @@
 #include <variant>
 #include <vector>
 
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_planner_node/mission_messages.hpp"
 #include "sylph_planner_node/occupancy_grid.hpp"
 #include "sylph_ros/experiment.hpp"
@@ -18,10 +19,12 @@ namespace sylph_planner_node {
 namespace {
 
 /// Limits by the clock that the lifecycle is told; those of the wall pass faster there.
-sylph::MissionLimits limitsOf(const Options& options, double speed) {
+sylph::MissionLimits limitsOf(const Options& options, const sylph::Experiment& lab, double speed) {
   sylph::MissionLimits limits = options.limits;
   limits.pose_wait_s *= speed;
   limits.central_wait_s *= speed;
+  // As the central node has it, which would refuse the plan.
+  limits.bystander_distance_m = lab.cell_size_m / 2.0 - startLimits(lab).room_m;
   return limits;
 }
 
@@ -35,7 +38,7 @@ PlannerNode::PlannerNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       clock_(sylph_ros::SteadyClock::fromParameter(nh)),
       poses_(nh, clock_),
       mode_(nh),
-      lifecycle_(lab_.robots, limitsOf(options_, clock_.speed()),
+      lifecycle_(lab_.robots, limitsOf(options_, lab_, clock_.speed()),
                  nh_.resolveName(sylph_ros::kAdgStateTopic)),
       map_(toOccupancyGrid(lab_.grid, lab_.cell_size_m, lab_.corner)),
       joint_actions_publisher_(

@@ -156,12 +156,10 @@ std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const P
   if (cell != start) {
     return "is in " + toString(cell) + ", and not in its start " + toString(start);
   }
-  const double along = std::abs(std::cos(pose.yaw_rad));
-  const double across = std::abs(std::sin(pose.yaw_rad));
   const StartLimits& limits = limits_.start;
   const Vector2 offset = displacement(frame_.toPoint(start), position(pose));
-  const Vector2 free{limits.room_m - (limits.length_m * along + limits.width_m * across) / 2.0,
-                     limits.room_m - (limits.length_m * across + limits.width_m * along) / 2.0};
+  const Vector2 box = halfBox(limits.length_m, limits.width_m, pose.yaw_rad);
+  const Vector2 free{limits.room_m - box.x, limits.room_m - box.y};
   if (std::abs(offset.x) <= free.x && std::abs(offset.y) <= free.y) {
     return std::nullopt;
   }
@@ -187,10 +185,16 @@ std::optional<std::string> PlanAdmission::bystanderInTheWay(const PresentExecuti
         std::find(members.begin(), members.end(), names_[robot]) != members.end()) {
       continue;
     }
-    const Cell cell = frame_.toCell(position(*report->pose));
-    if (visited.count(cell) > 0) {
-      return "it leads through " + toString(cell) + ", where " + names_[robot] +
-             " stands, which takes no part";
+    const Pose2d& pose = *report->pose;
+    const StartLimits& limits = limits_.start;
+    const double beyond_m = frame_.cellSize() / 2.0 - limits.room_m;
+    for (const Cell& cell :
+         frame_.cellsUnder(position(pose), halfBox(limits.length_m, limits.width_m, pose.yaw_rad) +
+                                               Vector2{beyond_m, beyond_m})) {
+      if (visited.count(cell) > 0) {
+        return "it leads through " + toString(cell) + ", where " + names_[robot] +
+               " stands, which takes no part";
+      }
     }
   }
   return std::nullopt;

@@ -29,4 +29,16 @@ Cell CellFrame::toCell(const Point& point) const {
           static_cast<int>(std::floor((point.x - corner_.x) / cell_size_m_))};
 }
 
+std::vector<Cell> CellFrame::cellsUnder(const Point& center, const Vector2& half_box) const {
+  const Cell top_left = toCell(center + Vector2{-half_box.x, half_box.y});
+  const Cell bottom_right = toCell(center + Vector2{half_box.x, -half_box.y});
+  std::vector<Cell> cells;
+  for (int row = top_left.row; row <= bottom_right.row; ++row) {
+    for (int col = top_left.col; col <= bottom_right.col; ++col) {
+      cells.push_back({row, col});
+    }
+  }
+  return cells;
+}
+
 }  // namespace sylph

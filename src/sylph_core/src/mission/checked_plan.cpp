@@ -106,9 +106,10 @@ Instance toInstance(const Mission& mission, const Configuration& starts,
   for (std::size_t i = 0; i < starts.size(); ++i) {
     const auto bystander = bystanders.find(starts[i]);
     if (bystander != bystanders.end()) {
-      throw MissionFailure(MissionOutcome::NoPose,
-                           mission.robots[i] + " in cell " + toString(starts[i]) + " touches " +
-                               bystander->second + ", which has no part in the mission");
+      throw MissionFailure(MissionOutcome::NoPose, mission.robots[i] + " in cell " +
+                                                       toString(starts[i]) + " is too near to " +
+                                                       bystander->second +
+                                                       ", which has no part in the mission");
     }
     const std::string refusal = judge.refusal(mission.robots[i], mission.goals[i], starts[i]);
     if (!refusal.empty()) {
@@ -119,12 +120,13 @@ Instance toInstance(const Mission& mission, const Configuration& starts,
 }
 
 MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
-                     const RobotPoses& poses, bool ignores_unseen_robots) {
+                     const RobotPoses& poses, bool ignores_unseen_robots,
+                     double bystander_distance_m) {
   const Configuration starts = startCells(mission, poses);
   if (!ignores_unseen_robots) {
     requireBystandersSeen(mission, lab, poses);
   }
-  const CellOwners bystanders = cellsOfBystanders(mission, lab, poses);
+  const CellOwners bystanders = cellsOfBystanders(mission, lab, poses, bystander_distance_m);
   return {toInstance(mission, starts, bystanders), bystanders};
 }
 

@@ -221,7 +221,8 @@ void MissionLifecycle::tickPausing(double now_s) {
 }
 
 void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
-  MissionStart start = startOf(mission_, lab_, poses, limits_.ignores_unseen_robots);
+  MissionStart start =
+      startOf(mission_, lab_, poses, limits_.ignores_unseen_robots, limits_.bystander_distance_m);
   bystanders_ = std::move(start.bystanders);
   planned_robots_ = mission_.robots;
   if (shown_plan_) {

@@ -86,7 +86,7 @@ void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>&
 }
 
 CellOwners cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
-                             const RobotPoses& poses) {
+                             const RobotPoses& poses, double distance_m) {
   const CellFrame frame(mission.grid, mission.cell_size_m, mission.corner);
   CellOwners cells;
   for (const RobotSpec& robot : lab) {
@@ -96,17 +96,11 @@ CellOwners cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec
       continue;
     }
     const Pose2d& pose = measured->second.pose;
-    const double c = std::abs(std::cos(pose.yaw_rad));
-    const double s = std::abs(std::sin(pose.yaw_rad));
-    const double reach_x = (robot.length_m * c + robot.width_m * s) / 2.0;
-    const double reach_y = (robot.length_m * s + robot.width_m * c) / 2.0;
-    const Cell top_left = frame.toCell({pose.x_m - reach_x, pose.y_m + reach_y});
-    const Cell bottom_right = frame.toCell({pose.x_m + reach_x, pose.y_m - reach_y});
-    for (int row = top_left.row; row <= bottom_right.row; ++row) {
-      for (int col = top_left.col; col <= bottom_right.col; ++col) {
-        if (mission.grid.isInside({row, col})) {
-          cells.emplace(Cell{row, col}, robot.name);
-        }
+    const Vector2 margin{distance_m, distance_m};
+    for (const Cell& cell : frame.cellsUnder(
+             position(pose), halfBox(robot.length_m, robot.width_m, pose.yaw_rad) + margin)) {
+      if (mission.grid.isInside(cell)) {
+        cells.emplace(cell, robot.name);
       }
     }
   }

@@ -150,6 +150,20 @@ TEST_F(ExecutionTest, RefusesToDriveThroughABystander) {
             execution_->message());
 }
 
+TEST_F(ExecutionTest, RefusesToDrivePastABystanderThatReachesOverItsCell) {
+  place({{0, 0}, {0, 3}, {1, 1}});
+  robots_[2].position.y += 0.03;  // 5 mm short of (0,1), where a neighbour may come as near
+  robots_[2].yaw_rad = M_PI / 2.0;
+  report(2);
+  submit({{{0, 0}, {0, 3}}, {{0, 1}, {0, 3}}}, 1, 0, {"robot_0", "robot_1"});
+  EXPECT_EQ("plan 1: it leads through (0,1), where robot_2 stands, which takes no part",
+            execution_->message());
+  robots_[2].position.y -= 0.03;
+  report(2);
+  submit({{{0, 0}, {0, 3}}, {{0, 1}, {0, 3}}}, 2, 0, {"robot_0", "robot_1"});
+  EXPECT_EQ(ExecutionPhase::Executing, execution_->phase()) << execution_->message();
+}
+
 TEST_F(ExecutionTest, WaitsForReportsAndThenRefuses) {
   submit(queue(), 1);
   EXPECT_EQ(ExecutionPhase::Pending, execution_->phase());

@@ -24,7 +24,7 @@ TEST(ToInstanceTest, NamesTheRobotThatIsCutOff) {
 }
 
 TEST(ToInstanceTest, NamesTheRobotThatTouchesABystander) {
-  EXPECT_EQ("2: robot_1 in cell (2,4) touches robot_9, which has no part in the mission",
+  EXPECT_EQ("2: robot_1 in cell (2,4) is too near to robot_9, which has no part in the mission",
             failureOf([&] {
               toInstance(smallMission(), smallStarts(), {{{2, 4}, "robot_9"}});
             }));

@@ -99,7 +99,19 @@ TEST(CellsOfBystandersTest, AreThoseThatTheFootprintTouches) {
   poses["robot_1"].pose.x_m -= 0.1;   // 0.23 m long: reaches from (2,4) into (2,3)
   poses["robot_2"].fault = "is old";  // nobody knows where it is
   EXPECT_EQ((CellOwners{{{2, 3}, "robot_1"}, {{2, 4}, "robot_1"}}),
-            cellsOfBystanders(mission, smallLab().robots, poses));
+            cellsOfBystanders(mission, smallLab().robots, poses, 0.0));
+}
+
+TEST(CellsOfBystandersTest, AreThoseThatAreTooNearAsWell) {
+  Mission mission = smallMission();
+  mission.robots = {"robot_0", "robot_2"};
+  mission.goals.resize(2);
+  RobotPoses poses = posesInStarts();
+  poses["robot_1"].pose.x_m -= 0.03;  // 5 mm within its cell (2,4)
+  EXPECT_EQ((CellOwners{{{2, 4}, "robot_1"}}),
+            cellsOfBystanders(mission, smallLab().robots, poses, 0.004));
+  EXPECT_EQ((CellOwners{{{2, 3}, "robot_1"}, {{2, 4}, "robot_1"}}),
+            cellsOfBystanders(mission, smallLab().robots, poses, 0.006));
 }
 
 TEST(CellsOfBystandersTest, FollowTheHeading) {
@@ -111,7 +123,7 @@ TEST(CellsOfBystandersTest, FollowTheHeading) {
   poses["robot_1"].pose.yaw_rad = std::acos(0.0);
   poses["robot_1"].pose.y_m += 0.04;
   EXPECT_EQ((CellOwners{{{1, 4}, "robot_1"}, {{2, 4}, "robot_1"}}),
-            cellsOfBystanders(mission, smallLab().robots, poses));
+            cellsOfBystanders(mission, smallLab().robots, poses, 0.0));
 }
 
 }  // namespace

@@ -42,6 +42,12 @@ inline Point operator+(const Point& point, const Vector2& displacement) {
 inline double norm(const Vector2& v) {
   return std::sqrt(dot(v, v));
 }
+/// Half the sides, along the axes, of the box round a rectangle that is turned by `yaw_rad`.
+inline Vector2 halfBox(double length, double width, double yaw_rad) {
+  const double c = std::abs(std::cos(yaw_rad));
+  const double s = std::abs(std::sin(yaw_rad));
+  return {(length * c + width * s) / 2.0, (length * s + width * c) / 2.0};
+}
 /// Turned counterclockwise.
 inline Vector2 rotate(const Vector2& v, double angle_rad) {
   const double c = std::cos(angle_rad);

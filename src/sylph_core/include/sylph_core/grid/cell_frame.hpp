@@ -1,5 +1,7 @@
 #pragma once
 
+#include <vector>
+
 #include "sylph_core/geometry/vector2.hpp"
 #include "sylph_core/grid/cell.hpp"
 #include "sylph_core/grid/grid.hpp"
@@ -24,6 +26,10 @@ class CellFrame {
   Point toPoint(const Cell& cell) const;
   /// The cell that contains a point [m]; it may lie outside the grid.
   Cell toCell(const Point& point) const;
+
+  /// The cells, row by row, that a box touches; they may lie outside the grid.
+  /// @param half_box  half its sides along x and y [m], >= 0
+  std::vector<Cell> cellsUnder(const Point& center, const Vector2& half_box) const;
 
   /// Side of a cell [m].
   double cellSize() const { return cell_size_m_; }

@@ -46,10 +46,12 @@ struct MissionStart {
 
 /// @param lab                    robots that there are
 /// @param ignores_unseen_robots  goes on although one without part in the mission is not seen
+/// @param bystander_distance_m   as cellsOfBystanders() has it
 /// @throws MissionFailure (NoPose, BadRequest) as startCells(), requireBystandersSeen() and
 /// toInstance()
 MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
-                     const RobotPoses& poses, bool ignores_unseen_robots);
+                     const RobotPoses& poses, bool ignores_unseen_robots,
+                     double bystander_distance_m = 0.0);
 
 /// A plan that was shown before anybody moved, for robots that stand where they stand now.
 /// @param plan  of this mission

@@ -26,6 +26,8 @@ struct MissionLimits {
   double hold_wait_s = 10.0;     ///< for robots to hold after a cancellation
   /// A robot of the lab without part in the mission may stand anywhere as long as it is not seen.
   bool ignores_unseen_robots = false;
+  /// A robot without part in the mission blocks the cells to which its footprint is so near, >= 0.
+  double bystander_distance_m = 0.0;
   double replanning_time_limit_s = 1.0;  ///< wall time for a plan around lost robots
 };
 

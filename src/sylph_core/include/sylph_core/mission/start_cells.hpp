@@ -34,7 +34,8 @@ void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>&
 /// The cells that robots of the lab without part in the mission stand on, as far as they have good
 /// poses, and who does: obstacles for everybody else. A footprint that reaches over an edge takes
 /// the cells on both sides.
+/// @param distance_m  a cell is stood on too if the footprint is so near to it, >= 0
 CellOwners cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
-                             const RobotPoses& poses);
+                             const RobotPoses& poses, double distance_m);
 
 }  // namespace sylph
