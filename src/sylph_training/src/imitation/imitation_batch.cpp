@@ -88,14 +88,11 @@ void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSetti
   };
   const Flags is_compared = compared(sample);
   const Label label = labelOf(sample, is_compared, labels);
-  const bool is_voted = isVoted(sample);
-  const Label by_cost = is_voted ? Label{} : labelOf(sample, allMoves(), labels);
-  const Flags is_greedy = is_voted ? greedyMoves(sample) : Flags{};
+  const Flags is_greedy = isVoted(sample) ? greedyMoves(sample) : Flags{};
   for (const sylph::Action action : sylph::kActions) {
     const auto index = static_cast<std::size_t>(action);
     const auto image = static_cast<std::size_t>(symmetry.apply(action));
     rowOf(batch.targets)[image] = static_cast<float>(label[index]);
-    rowOf(batch.cost_targets)[image] = static_cast<float>(by_cost[index]);
     rowOf(batch.is_compared)[image] = is_compared[index] ? 1.F : 0.F;
     rowOf(batch.is_alike)[image] = is_greedy[index] ? 1.F : 0.F;
     rowOf(batch.is_best)[image] = sample.regrets[index] == 0 ? 1.F : 0.F;
@@ -110,9 +107,8 @@ void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSetti
 ImitationBatch ImitationBatch::to(torch::Device device) const {
   ImitationBatch moved = *this;
   moved.input = input.to(device);
-  for (torch::Tensor* tensor :
-       {&moved.targets, &moved.is_compared, &moved.is_alike, &moved.actions, &moved.is_best,
-        &moved.is_valid, &moved.cost_targets, &moved.svo_targets}) {
+  for (torch::Tensor* tensor : {&moved.targets, &moved.is_compared, &moved.is_alike, &moved.actions,
+                                &moved.is_best, &moved.is_valid, &moved.svo_targets}) {
     *tensor = tensor->to(device);
   }
   return moved;
@@ -139,7 +135,6 @@ ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelS
   batch.is_valid = torch::empty({samples, kActionCount});
   batch.is_compared = torch::empty({samples, kActionCount});
   batch.is_alike = torch::empty({samples, kActionCount});
-  batch.cost_targets = torch::empty({samples, kActionCount});
   batch.svo_targets = torch::empty({samples, sylph::kSvoLevelCount});
   std::vector<std::int64_t> partners;
   partners.reserve(static_cast<std::size_t>(agents));

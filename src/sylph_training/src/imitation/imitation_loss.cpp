@@ -42,25 +42,14 @@ ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
     loss.total = loss.total + settings.valid_weight * F::binary_cross_entropy_with_logits(
                                                           output.actions, batch.is_valid);
   }
-  const auto isBest = [&](const torch::Tensor& action) {
-    return batch.is_best.gather(1, action.unsqueeze(1)).squeeze(1);
-  };
   const torch::Tensor likeliest = compared.detach().argmax(1);
+  const torch::Tensor is_best = batch.is_best.gather(1, likeliest.unsqueeze(1)).squeeze(1);
   loss.told = is_told.sum().item<double>();
   loss.cross_entropy = cross_entropy.item<double>();
   loss.accuracy = meanWhere(is_told, (likeliest == batch.actions).to(torch::kFloat)).item<double>();
-  loss.best = meanWhere(is_told, isBest(likeliest)).item<double>();
+  loss.best = meanWhere(is_told, is_best).item<double>();
   loss.samples = static_cast<double>(batch.sampleCount());
   loss.svo = svo.item<double>();
-  if (output.by_cost.defined()) {
-    const torch::Tensor by_expert = isTold(batch.cost_targets);
-    const torch::Tensor cost =
-        meanWhere(by_expert, -(batch.cost_targets * torch::log_softmax(output.by_cost, 1)).sum(1));
-    loss.total = settings.only_cost_head ? cost : loss.total + settings.cost_weight * cost;
-    loss.by_expert = by_expert.sum().item<double>();
-    loss.cost = cost.item<double>();
-    loss.cost_best = meanWhere(by_expert, isBest(output.by_cost.detach().argmax(1))).item<double>();
-  }
   return loss;
 }
 

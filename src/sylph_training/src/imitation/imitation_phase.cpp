@@ -30,36 +30,16 @@ void addWeighed(const ImitationLoss& batch, ImitationLoss& sum) {
   sum.best += batch.told * batch.best;
   sum.samples += batch.samples;
   sum.svo += batch.samples * batch.svo;
-  sum.by_expert += batch.by_expert;
-  sum.cost += batch.by_expert * batch.cost;
-  sum.cost_best += batch.by_expert * batch.cost_best;
 }
 
 ImitationLoss meansOf(ImitationLoss sum) {
   const double told = std::max(1.0, sum.told);
   const double samples = std::max(1.0, sum.samples);
-  const double by_expert = std::max(1.0, sum.by_expert);
   sum.cross_entropy /= told;
   sum.accuracy /= told;
   sum.best /= told;
   sum.svo /= samples;
-  sum.cost /= by_expert;
-  sum.cost_best /= by_expert;
   return sum;
-}
-
-/// The model with gradients for what is to learn.
-PolicyModel learningModel(const ImitationSettings& settings, RunState& state) {
-  const auto cost_head = state.model->costParameters();
-  if (settings.only_cost_head && cost_head.empty()) {
-    throw std::runtime_error(
-        "only_cost_head: the network has no cost head: its cost_width must be greater than 0");
-  }
-  state.model->requireGradients(!settings.only_cost_head);
-  for (torch::Tensor parameter : cost_head) {
-    parameter.set_requires_grad(true);
-  }
-  return state.model;
 }
 
 }  // namespace
@@ -85,9 +65,6 @@ ImitationSettings ImitationSettings::read(const sylph::YamlMap& yaml) {
   settings.valid_weight =
       yaml.number("valid_weight", settings.valid_weight, sylph::Range::atLeast(0.0));
   settings.svo_weight = yaml.number("svo_weight", settings.svo_weight, sylph::Range::atLeast(0.0));
-  settings.cost_weight =
-      yaml.number("cost_weight", settings.cost_weight, sylph::Range::atLeast(0.0));
-  settings.only_cost_head = yaml.boolean("only_cost_head", settings.only_cost_head);
   settings.labels.expert_share =
       yaml.number("expert_share", settings.labels.expert_share, {0.0, 1.0});
   settings.labels.regret_scale =
@@ -107,7 +84,7 @@ void ImitationPhase::Source::load(int count) {
 ImitationPhase::ImitationPhase(const ImitationSettings& settings, RunState& state)
     : settings_(settings),
       state_(&state),
-      learner_(settings.learner, settings.steps, learningModel(settings, state), state.average),
+      learner_(settings.learner, settings.steps, state.model, state.average),
       rng_(state.settings.seed + kRngOffset) {
   if (settings.meters) {
     metered_.assign(meterWorlds().size() * kMetered.size(), 0.0);
@@ -129,8 +106,10 @@ void ImitationPhase::prepare() {
     prepareReactive();
   }
   if (has_demonstrations) {
-    fill(validationShards(state_->settings, state_->folder), state_->settings.validation_shards,
-         settings_.reactive ? cost_validation_ : validation_);
+    if (!settings_.reactive) {
+      fill(validationShards(state_->settings, state_->folder), state_->settings.validation_shards,
+           validation_);
+    }
     fill(trainingShards(state_->settings, state_->folder), settings_.first_shards, demonstrations_);
   }
 }
@@ -215,18 +194,13 @@ std::optional<Figures> ImitationPhase::step(long step) {
   samples_seen_ += batch.sampleCount();
   if ((step + 1) % settings_.validation_steps == 0 || step + 1 == settings_.steps) {
     validated_ = validate(validation_);
-    if (!cost_validation_.shards.empty()) {
-      const ImitationLoss by_expert = validate(cost_validation_);
-      validated_.cost = by_expert.cost;
-      validated_.cost_best = by_expert.cost_best;
-    }
   }
   if (settings_.meters &&
       ((step + 1) % settings_.meter_steps == 0 || step + 1 == settings_.steps)) {
     readMeters();
   }
-  const std::vector<double> measured = {loss.cross_entropy, loss.accuracy,  loss.best, loss.svo,
-                                        loss.cost,          loss.cost_best, norm};
+  const std::vector<double> measured = {loss.cross_entropy, loss.accuracy, loss.best, loss.svo,
+                                        norm};
   sums_.resize(measured.size(), 0.0);
   std::transform(measured.begin(), measured.end(), sums_.begin(), sums_.begin(), std::plus<>());
   ++summed_;
@@ -241,15 +215,11 @@ std::optional<Figures> ImitationPhase::step(long step) {
                      {"accuracy", mean(1)},
                      {"best", mean(2)},
                      {"svo", mean(3)},
-                     {"cost", mean(4)},
-                     {"cost_best", mean(5)},
-                     {"gradient_norm", mean(6)},
+                     {"gradient_norm", mean(4)},
                      {"validation_cross_entropy", validated_.cross_entropy},
                      {"validation_accuracy", validated_.accuracy},
                      {"validation_best", validated_.best},
-                     {"validation_svo", validated_.svo},
-                     {"validation_cost", validated_.cost},
-                     {"validation_cost_best", validated_.cost_best}};
+                     {"validation_svo", validated_.svo}};
   for (std::size_t index = 0; index < metered_.size(); ++index) {
     figures.emplace_back("meter_" + meterWorlds()[index / kMetered.size()].name() + "_" +
                              kMetered[index % kMetered.size()],
@@ -303,10 +273,9 @@ void ImitationPhase::save(torch::serialize::OutputArchive& archive) const {
   archive.write("samples_seen", c10::IValue(static_cast<std::int64_t>(samples_seen_)));
   archive.write("bfloat16", c10::IValue(encoder_type_ == torch::kBFloat16));
   archive.write("metered", torch::tensor(metered_, torch::kDouble));
-  archive.write("validated",
-                torch::tensor({validated_.cross_entropy, validated_.accuracy, validated_.best,
-                               validated_.svo, validated_.cost, validated_.cost_best},
-                              torch::kDouble));
+  archive.write("validated", torch::tensor({validated_.cross_entropy, validated_.accuracy,
+                                            validated_.best, validated_.svo},
+                                           torch::kDouble));
 }
 
 void ImitationPhase::load(torch::serialize::InputArchive& archive) {
@@ -333,8 +302,8 @@ void ImitationPhase::load(torch::serialize::InputArchive& archive) {
   metered_.assign(metered.data_ptr<double>(), metered.data_ptr<double>() + metered.numel());
   torch::Tensor validated;
   archive.read("validated", validated);
-  constexpr std::int64_t kValidated = 6;
-  if (validated.numel() != kValidated) {
+  constexpr std::int64_t kValidated = 4;
+  if (validated.numel() < kValidated) {  // trainers of before had more
     throw std::runtime_error("the checkpoint is of another version of the trainer: its phase has " +
                              std::to_string(validated.numel()) + " figures of validation, not " +
                              std::to_string(kValidated));
@@ -346,14 +315,11 @@ void ImitationPhase::load(torch::serialize::InputArchive& archive) {
   validated_.accuracy = figures[1];
   validated_.best = figures[2];
   validated_.svo = figures[3];
-  validated_.cost = figures[4];
-  validated_.cost_best = figures[5];
 }
 
 std::map<std::string, std::string> ImitationPhase::notes() const {
   return {{"imitation_samples", std::to_string(samples_seen_)},
           {"validation_best", std::to_string(validated_.best)},
-          {"validation_cost_best", std::to_string(validated_.cost_best)},
           {"precision", nameOf(encoder_type_)},
           {"memory", "false"}};
 }

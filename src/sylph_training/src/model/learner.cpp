@@ -10,15 +10,6 @@ namespace {
 
 constexpr double kPi = 3.14159265358979323846;
 
-std::vector<torch::Tensor> learning(const PolicyModel& model) {
-  std::vector<torch::Tensor> parameters = model->parameters();
-  parameters.erase(
-      std::remove_if(parameters.begin(), parameters.end(),
-                     [](const torch::Tensor& parameter) { return !parameter.requires_grad(); }),
-      parameters.end());
-  return parameters;
-}
-
 }  // namespace
 
 LearnerSettings LearnerSettings::read(const sylph::YamlMap& yaml) {
@@ -46,7 +37,7 @@ Learner::Learner(const LearnerSettings& settings, long steps, PolicyModel model,
       model_(std::move(model)),
       average_(std::move(average)),
       optimizer_(
-          learning(model_),
+          model_->parameters(),
           torch::optim::AdamWOptions(settings.learning_rate).weight_decay(settings.weight_decay)) {}
 
 double Learner::learningRate(long step) const {

@@ -110,10 +110,6 @@ Smp3oSettings Smp3oSettings::read(const YamlMap& yaml) {
   readNumber(yaml, "imitation_rate", {0.0, 1.0}, settings.imitation_rate);
   if (const auto imitation = yaml.map("imitation")) {
     settings.imitation = ImitationSettings::read(*imitation);
-    if (settings.imitation->only_cost_head) {
-      throw imitation->error("only_cost_head",
-                             "is true, but reinforcement teaches all: allowed: false");
-    }
   }
   if (settings.imitation_rate > 0.0 && !settings.imitation) {
     throw yaml.error("imitation", "is missing, but imitation_rate is not 0");

@@ -53,7 +53,6 @@ TEST(ImitationBatchTest, LabelsAreTheSharesOfTheTeachersVotes) {
   const ImitationBatch batch = makeBatch({{&store, 0, 0}}, 8, {0.5, 0.25});
   EXPECT_TRUE(torch::equal(batch.targets, torch::tensor({{0.25F, 0.F, 0.75F, 0.F, 0.F}})));
   EXPECT_TRUE(torch::equal(batch.is_alike, torch::tensor({{0.F, 0.F, 1.F, 1.F, 0.F}})));
-  EXPECT_TRUE(torch::equal(batch.cost_targets, torch::zeros({1, 5}))) << "votes tell of no cost";
 }
 
 TEST(ImitationBatchTest, TiesTellOnlyOfMovesThatComeCloser) {
@@ -65,17 +64,6 @@ TEST(ImitationBatchTest, TiesTellOnlyOfMovesThatComeCloser) {
   const ImitationBatch batch = makeBatch({{&store, 0, 0}}, 8, {0.5, 0.25});
   EXPECT_TRUE(torch::allclose(batch.targets, torch::tensor({{0.F, 0.F, 0.5F, 0.5F, 0.F}})));
   EXPECT_TRUE(torch::equal(batch.is_compared, torch::tensor({{0.F, 0.F, 1.F, 1.F, 0.F}})));
-}
-
-TEST(ImitationBatchTest, CostLabelsTellOfAllMoves) {
-  SceneStore store;
-  store.add(pairScene());
-  Scene scene = pairScene();
-  scene.samples[0].only_ties = 1;
-  store.add(scene);
-  const ImitationBatch batch = makeBatch({{&store, 0, 0}, {&store, 1, 0}}, 8, {0.5, 0.25});
-  EXPECT_TRUE(torch::equal(batch.cost_targets[0], batch.targets[0]));
-  EXPECT_TRUE(torch::equal(batch.cost_targets[0], batch.cost_targets[1]));
 }
 
 TEST(ImitationLossTest, WhatTellsAHeadNothingDoesNotCount) {
@@ -95,11 +83,8 @@ TEST(ImitationLossTest, WhatTellsAHeadNothingDoesNotCount) {
   };
   const ImitationLoss all = lossOf({{&store, 0, 0}, {&store, 1, 0}, {&store, 2, 0}});
   EXPECT_EQ(2.0, all.told);
-  EXPECT_EQ(2.0, all.by_expert);
   EXPECT_EQ(3.0, all.samples);
   EXPECT_NEAR(lossOf({{&store, 0, 0}, {&store, 1, 0}}).cross_entropy, all.cross_entropy, 1e-5);
-  EXPECT_NEAR(lossOf({{&store, 0, 0}, {&store, 2, 0}}).cost, all.cost, 1e-5);
-  EXPECT_EQ(0.0, lossOf({{&store, 1, 0}}).by_expert);
 }
 
 TEST(ImitationBatchTest, SvosAreWhatAllSeeAndTargetsWhatWaitingGives) {

@@ -116,23 +116,6 @@ TEST_F(TrainCommandTest, SoDoesOneThatTheReactiveTeacherLabels) {
   expectKilledRunGoesOn(config.replace(config.rfind('}'), 1, kReactive));
 }
 
-TEST_F(TrainCommandTest, OnlyTheCostHeadLearnsWhereThatIsAsked) {
-  folder_.write("config.yaml", kConfig);
-  ASSERT_EQ(0, wait(start(train("first"), output()))) << read(output());
-  const std::string weights = folder_.path("first/weights.safetensors");
-  std::string config = kConfig;
-  folder_.write("config.yaml", config.replace(config.rfind('}'), 1, ", only_cost_head: true}"));
-  auto command = train("second");
-  command.insert(command.end(), {"--weights", weights});
-  ASSERT_EQ(0, wait(start(command, output()))) << read(output());
-  const auto before = sylph::loadTensorFile(weights);
-  const auto after = sylph::loadTensorFile(folder_.path("second/weights.safetensors"));
-  for (const auto& [name, tensor] : before.tensors) {
-    const bool is_cost_head = name.rfind("heads.cost.", 0) == 0;
-    EXPECT_EQ(is_cost_head, tensor.values != after.tensors.at(name).values) << name;
-  }
-}
-
 TEST_F(TrainCommandTest, BadInputIsOneLineAndStatus2) {
   folder_.write("config.yaml", kConfig);
   const int status = wait(start(train("none", true), output()));

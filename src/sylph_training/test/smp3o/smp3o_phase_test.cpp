@@ -76,7 +76,6 @@ TEST(Smp3oSettingsTest, MalformedFieldsAreNamed) {
   expectError("rewards: {svo_importance: 0}", "rewards.svo_importance");
   expectError("symmetric: {min_length: 3}", "symmetric.min_length");
   expectError("imitation_rate: 0.5", "imitation");
-  expectError("imitation: {kind: imitation, only_cost_head: true}", "imitation.only_cost_head");
 }
 
 TEST(Smp3oPhaseTest, MakesScenesWhenItIsPreparedAndNotBefore) {

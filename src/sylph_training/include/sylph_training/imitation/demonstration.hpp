@@ -18,8 +18,7 @@ struct DemonstrationSettings {
   int samples_per_world = 2000;   ///< about, > 0
   int samples_per_scene = 32;     ///< at most, > 0
   double rest_share = 0.2;  ///< chance to keep a sample of an agent that stays on its goal, 0 ... 1
-  /// Samples tell the policy only which of two or more moves that come closer to the goal is best;
-  /// the cost head learns all of what they tell.
+  /// Samples tell only which of two or more moves that come closer to the goal is best.
   bool only_ties = false;
 
   /// @throws std::runtime_error with one line naming file, line, field and what is allowed

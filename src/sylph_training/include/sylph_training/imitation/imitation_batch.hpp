@@ -24,16 +24,14 @@ struct Pick {
 
 /// What the network sees and what it should say, for a samples among n agents.
 struct ImitationBatch {
-  PolicyInput input;           ///< memory all 0
-  torch::Tensor targets;       ///< a x 5: probabilities of the actions, all 0 if nothing is told
-  torch::Tensor is_compared;   ///< a x 5: 1 where the targets tell of the action
-  torch::Tensor is_alike;      ///< a x 5: 1 for actions between which the targets do not tell
-  torch::Tensor actions;       ///< a: the expert's or teacher's, int64
-  torch::Tensor is_best;       ///< a x 5: 1 where the regret is 0
-  torch::Tensor is_valid;      ///< a x 5: 1 where the action hits nothing
-  torch::Tensor cost_targets;  ///< a x 5: what the expert's regrets make of all actions, all 0 if
-                               ///< the teacher has voted
-  torch::Tensor svo_targets;   ///< a x levels: what the rule of waiting gives
+  PolicyInput input;          ///< memory all 0
+  torch::Tensor targets;      ///< a x 5: probabilities of the actions, all 0 if nothing is told
+  torch::Tensor is_compared;  ///< a x 5: 1 where the targets tell of the action
+  torch::Tensor is_alike;     ///< a x 5: 1 for actions between which the targets do not tell
+  torch::Tensor actions;      ///< a: the expert's or teacher's, int64
+  torch::Tensor is_best;      ///< a x 5: 1 where the regret is 0
+  torch::Tensor is_valid;     ///< a x 5: 1 where the action hits nothing
+  torch::Tensor svo_targets;  ///< a x levels: what the rule of waiting gives
 
   /// The same on another device.
   ImitationBatch to(torch::Device device) const;

@@ -27,9 +27,6 @@ struct ImitationSettings {
   Precision precision = Precision::Auto;
   double valid_weight = 0.0;  ///< of the valid actions' loss, >= 0; the paper has 0.5
   double svo_weight = 0.1;    ///< of the SVO head's loss, >= 0
-  double cost_weight = 1.0;   ///< of the cost head's loss, >= 0
-  /// Teaches the cost head and nothing else: the policy stays as it is.
-  bool only_cost_head = false;
   LabelSettings labels;
   LearnerSettings learner;
   std::optional<ReactiveSettings> reactive;  ///< without it all samples are demonstrations
@@ -49,9 +46,6 @@ struct ImitationLoss {
   double best = 0.0;           ///< share of most likely actions without regret
   double samples = 0.0;        ///< all of them
   double svo = 0.0;            ///< cross entropy of the SVO head towards the rule of waiting
-  double by_expert = 0.0;      ///< samples that tell the cost head something
-  double cost = 0.0;           ///< cross entropy of the cost head towards their labels
-  double cost_best = 0.0;      ///< share of its most likely actions without regret
 };
 
 /// He et al. 2024 trains by reinforcement learning alone; this is a warm start.
@@ -60,8 +54,7 @@ struct ImitationLoss {
 /// whether to come closer to the goal and how to give way if not, but not by which of several moves
 /// to come closer: that is what the expert's regrets are for. To it is added, weighed,
 /// binary cross entropy of the logits against the set of valid actions as in the paper. SVO: cross
-/// entropy of the head towards the rule of waiting, see sylph::svoByWaiting(). Cost: cross entropy
-/// of the head, if there is one, towards the expert's regrets of all actions.
+/// entropy of the head towards the rule of waiting, see sylph::svoByWaiting().
 ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
                             const ImitationSettings& settings);
 
@@ -70,7 +63,6 @@ ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
 class ImitationPhase : public Phase {
  public:
   /// @param state  must outlive this object
-  /// @throws std::runtime_error if only the cost head is to learn and the network has none
   ImitationPhase(const ImitationSettings& settings, RunState& state);
 
   void prepare() override;
@@ -106,7 +98,6 @@ class ImitationPhase : public Phase {
   Source teacher_led_;
   Source student_led_;
   Source validation_;
-  Source cost_validation_;  // the expert's, where validation_ is the teacher's
   sylph::Rng rng_;
   std::vector<double> sums_;  // of the figures since the last line of the log
   long summed_ = 0;
