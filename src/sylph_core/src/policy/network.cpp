@@ -101,12 +101,6 @@ NetworkOutput Network::forward(const NetworkInput& input, int threads) const {
   NetworkOutput output;
   output.memory = remember(features, input.memory);
   output.actions = applied(action_head_, output.memory, Activation::None);
-  output.by_cost = output.actions;
-  if (shape_.cost_width > 0) {
-    AgentRows both(count, 2 * shape_.width);
-    both << features, output.memory;
-    output.by_cost = applied(cost2_, applied(cost1_, both, Activation::Relu), Activation::None);
-  }
   output.svo = applied(svo_head_, output.memory, Activation::None);
   output.values = applied(value_head_, output.memory, Activation::None);
   output.blocking = applied(blocking_head_, output.memory, Activation::None);

@@ -164,8 +164,6 @@ void NetworkShape::requireValid() const {
   requireWidth("width", width);
   requireWidth("heads", heads);
   requireWidth("semantic_tokens", semantic_tokens);
-  require("cost_width", cost_width, cost_width >= 0 && cost_width <= kMaxWidth,
-          "0 ... " + std::to_string(kMaxWidth));
   require("message_width", message_width, message_width % message_heads == 0,
           "a multiple of message_heads");
   require("width", width, width % heads == 0, "a multiple of heads");
@@ -220,8 +218,7 @@ const std::vector<std::pair<std::string, int NetworkShape::*>>& NetworkShape::me
       {"message_heads", &NetworkShape::message_heads},
       {"width", &NetworkShape::width},
       {"heads", &NetworkShape::heads},
-      {"semantic_tokens", &NetworkShape::semantic_tokens},
-      {"cost_width", &NetworkShape::cost_width}};
+      {"semantic_tokens", &NetworkShape::semantic_tokens}};
   return all;
 }
 
@@ -263,10 +260,6 @@ Network::Network(const NetworkShape& shape, const TensorFile& weights, const std
   svo_head_ = reader.dense("heads.svo", shape.svo_levels, width);
   value_head_ = reader.dense("heads.value", 1, width);
   blocking_head_ = reader.dense("heads.blocking", 1, width);
-  if (shape.cost_width > 0) {
-    cost1_ = reader.dense("heads.cost.linear1", shape.cost_width, 2 * width);
-    cost2_ = reader.dense("heads.cost.linear2", kActionCount, shape.cost_width);
-  }
   reader.requireNothingLeft();
 }
 
@@ -290,8 +283,7 @@ long Network::multiplyAdds() const {
                         cost(basis_value_) + costOf(semantic_, 1, 1) +
                         2L * (shape_.semantic_tokens + 2) * shape_.width;
   return encoder + communication + cost(residual1_) + cost(residual2_) + semantic +
-         cost(action_head_) + cost(svo_head_) + cost(value_head_) + cost(blocking_head_) +
-         cost(cost1_) + cost(cost2_);
+         cost(action_head_) + cost(svo_head_) + cost(value_head_) + cost(blocking_head_);
 }
 
 }  // namespace sylph

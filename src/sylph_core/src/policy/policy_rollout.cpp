@@ -134,13 +134,13 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, StepU
   }
   NetworkOutput output = policy_->network().forward(input, threads_);
   ++calls_;
+  PolicyStep step;
+  step.by_cost = output.actions;
+  step.actions = std::move(output.actions);
   if (policy_->costNetwork() != nullptr && use == StepUse::Search) {
     input.memory.setZero();
-    output.by_cost = policy_->costNetwork()->forward(input, threads_).by_cost;
+    step.by_cost = policy_->costNetwork()->forward(input, threads_).actions;
   }
-  PolicyStep step;
-  step.actions = std::move(output.actions);
-  step.by_cost = std::move(output.by_cost);
   silenceUnlessFinite(step.actions);
   silenceUnlessFinite(step.by_cost);
   silenceUnlessFinite(output.svo);

@@ -113,12 +113,14 @@ TEST_P(PolicyPlannersTest, CountTheNetworksCalls) {
 INSTANTIATE_TEST_SUITE_P(All, PolicyPlannersTest, ::testing::ValuesIn(kPolicyPlanners));
 
 // Two ways of the same length lead to the goal.
-TEST(PolicyHeadsTest, PlannersThatSearchAskTheCostHeadAndSylphTheOther) {
+TEST(CostNetworkTest, IsAskedByPlannersThatSearchAndNotBySylph) {
   const Instance instance{Grid(2, 2), {{0, 0}}, {{1, 1}}, {}};
   TensorFile weights = RandomWeights(smallShape(), 1).file();
+  TensorFile cost = weights;
   weights.tensors["heads.action.bias"].values[static_cast<std::size_t>(Action::East)] = 50.F;
-  weights.tensors["heads.cost.linear2.bias"].values[static_cast<std::size_t>(Action::South)] = 50.F;
-  const auto policy = std::make_shared<const Policy>(weights, "opposed heads");
+  cost.tensors["heads.action.bias"].values[static_cast<std::size_t>(Action::South)] = 50.F;
+  const auto policy =
+      std::make_shared<const Policy>(withCostNetwork(weights, cost), "opposed networks");
   const auto firstCell = [&](const std::string& planner) {
     Rng rng(1);
     return makePlanner(planner, policy)->plan(instance, {30.0, 60, true}, rng).plan.at(1)[0];
@@ -174,7 +176,7 @@ void expectSolvedExactlyIfSolvable(bool rotations) {
 TEST(SylphPibtTest, GoesByDistanceWhereTheNetworkLeadsNoNearer) {
   const TensorFile policy = RandomWeights(smallShape(), 1).file();
   TensorFile cost = policy;
-  cost.tensors["heads.cost.linear2.bias"].values[static_cast<std::size_t>(Action::Stay)] = 1e6F;
+  cost.tensors["heads.action.bias"].values[static_cast<std::size_t>(Action::Stay)] = 1e6F;
   const auto idle = std::make_shared<const Policy>(withCostNetwork(policy, cost), "idle");
   const Instance instance{Grid(8, 8), {{0, 0}, {7, 0}}, {{0, 7}, {7, 7}}, {}};
   PlanningLimits limits;

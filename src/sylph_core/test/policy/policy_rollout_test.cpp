@@ -119,15 +119,9 @@ TEST_F(PolicyRolloutTest, ThreadsChangeNothing) {
   EXPECT_EQ(firstStep(alone).actions, firstStep(together).actions);
 }
 
-TEST_F(PolicyRolloutTest, WithoutACostHeadASearchIsToldWhatTheOthersAre) {
+TEST_F(PolicyRolloutTest, WithoutACostNetworkASearchIsToldWhatTheOthersAre) {
   auto walk = rollout();
-  PolicyStep step = firstStep(walk);
-  EXPECT_NE(step.actions, step.by_cost);
-  NetworkShape shape = smallShape();
-  shape.cost_width = 0;
-  policy_ = std::make_shared<const Policy>(RandomWeights(shape, 1).file(), "no cost head");
-  auto other_walk = rollout();
-  step = firstStep(other_walk);
+  const PolicyStep step = firstStep(walk);
   EXPECT_EQ(step.actions, step.by_cost);
 }
 
@@ -145,7 +139,7 @@ TEST_F(PolicyRolloutTest, ACostNetworkTellsASearchAndChangesNothingElse) {
   const PolicyStep step = firstStep(both);
   EXPECT_EQ(without.actions, step.actions);
   EXPECT_EQ(without.svo, step.svo);
-  EXPECT_EQ(cost.by_cost, step.by_cost);
+  EXPECT_EQ(cost.actions, step.by_cost);
   EXPECT_NE(without.by_cost, step.by_cost);
   const PolicyStep social =
       both.follow(both.nothingKnown(), starts_, starts_, rng_, StepUse::Social);
@@ -155,9 +149,8 @@ TEST_F(PolicyRolloutTest, ACostNetworkTellsASearchAndChangesNothingElse) {
 TEST_F(PolicyRolloutTest, WeightsThatOverflowSayNothing) {
   TensorFile weights = RandomWeights(smallShape(), 1).file();
   weights.tensors["heads.action.bias"].values[2] = std::numeric_limits<float>::infinity();
-  weights.tensors["heads.cost.linear2.bias"].values[4] = std::numeric_limits<float>::infinity();
   weights.tensors["heads.svo.bias"].values[0] = std::numeric_limits<float>::quiet_NaN();
-  policy_ = std::make_shared<const Policy>(weights, "overflowing");
+  policy_ = std::make_shared<const Policy>(withCostNetwork(weights, weights), "overflowing");
   auto walk = rollout();
   const PolicyStep step = firstStep(walk);
   EXPECT_TRUE(step.actions.isZero());

@@ -78,20 +78,9 @@ TEST_F(PolicyTest, RefusesTensorsOfAnotherShape) {
   expectRefused("has no tensor 'heads.svo.bias'; the network needs it, of shape [10]");
 }
 
-TEST_F(PolicyTest, TakesWeightsWithoutCostHeadOnlyIfTheySaySo) {
-  weights_.metadata["cost_width"] = "0";
-  expectRefused("tensor 'heads.cost.linear1.bias' is no part of the network");
-  weights_.metadata.erase("cost_width");
-  expectRefused("metadata has no entry 'cost_width'");
-  weights_.metadata["cost_width"] = "-1";
-  expectRefused("cost_width = -1: must be 0 ... 4096");
-  NetworkShape shape = smallShape();
-  shape.cost_width = 0;
-  weights_ = RandomWeights(shape, 3).file();
-  EXPECT_EQ(0, Policy(weights_, "w").network().shape().cost_width);
-  weights_.metadata["cost_width"] = "8";
-  expectRefused(
-      "has no tensor 'heads.cost.linear1.weight'; the network needs it, of shape [8, 48]");
+TEST_F(PolicyTest, IgnoresMetadataThatItDoesNotKnow) {
+  weights_.metadata["cost_width"] = "0";  // as weights had that said to have no cost head
+  EXPECT_EQ(24, Policy(weights_, "w").network().shape().width);
 }
 
 TEST_F(PolicyTest, ReadsTheCostNetworkBesideThePolicy) {

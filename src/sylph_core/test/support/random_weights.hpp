@@ -41,10 +41,6 @@ class RandomWeights {
     dense("heads.svo", shape.svo_levels, width);
     dense("heads.value", 1, width);
     dense("heads.blocking", 1, width);
-    if (shape.cost_width > 0) {
-      dense("heads.cost.linear1", shape.cost_width, 2 * width);
-      dense("heads.cost.linear2", kActionCount, shape.cost_width);
-    }
   }
 
   TensorFile& file() { return file_; }
@@ -99,7 +95,6 @@ inline NetworkShape smallShape() {
   shape.message_width = 8;
   shape.width = 24;
   shape.semantic_tokens = 4;
-  shape.cost_width = 8;
   return shape;
 }
 

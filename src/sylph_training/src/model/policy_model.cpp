@@ -14,7 +14,6 @@ namespace {
 namespace nn = torch::nn;
 
 constexpr std::int64_t kQuarterCells = 9;  // pixels after the last convolution
-constexpr char kCostHead[] = "heads.cost.";
 
 nn::Conv2d convolution(int in, int out, int stride) {
   return nn::Conv2d(nn::Conv2dOptions(in, out, 3).padding(1).stride(stride));
@@ -123,32 +122,10 @@ PolicyModelImpl::PolicyModelImpl(const sylph::NetworkShape& shape, Decoder decod
   svo_head_ = heads->register_module("svo", nn::Linear(shape.width, shape.svo_levels));
   value_head_ = heads->register_module("value", nn::Linear(shape.width, 1));
   blocking_head_ = heads->register_module("blocking", nn::Linear(shape.width, 1));
-  if (shape.cost_width > 0) {
-    const auto cost = heads->register_module("cost", std::make_shared<nn::Module>());
-    cost1_ = cost->register_module("linear1", nn::Linear(2 * shape.width, shape.cost_width));
-    cost2_ = cost->register_module("linear2", nn::Linear(shape.cost_width, sylph::kActionCount));
-  }
 }
 
 std::int64_t PolicyModelImpl::memoryWidth() const {
   return decoder_ == Decoder::Lstm ? 2 * shape_.width : shape_.width;
-}
-
-void PolicyModelImpl::requireGradients(bool required) {
-  for (torch::Tensor& parameter : parameters()) {
-    parameter.set_requires_grad(required);
-  }
-}
-
-std::vector<torch::Tensor> PolicyModelImpl::costParameters() const {
-  std::vector<torch::Tensor> parameters;
-  for (const auto& layer : {cost1_, cost2_}) {
-    if (layer) {
-      const auto those = layer->parameters();
-      parameters.insert(parameters.end(), those.begin(), those.end());
-    }
-  }
-  return parameters;
 }
 
 std::vector<torch::Tensor> PolicyModelImpl::criticParameters() const {
@@ -187,10 +164,6 @@ PolicyOutput PolicyModelImpl::decide(const torch::Tensor& features, const torch:
     output.memory = decided;
   }
   output.actions = action_head_->forward(decided);
-  if (cost1_) {
-    const torch::Tensor both = torch::cat({features, decided}, 1);
-    output.by_cost = cost2_->forward(torch::relu(cost1_->forward(both)));
-  }
   output.svo = svo_head_->forward(decided);
   output.values = value_head_->forward(decided).squeeze(1);
   output.blocking = blocking_head_->forward(decided).squeeze(1);
@@ -269,12 +242,7 @@ sylph::TensorFile exportWeights(const PolicyModel& model) {
 
 void importWeights(const sylph::TensorFile& weights, PolicyModel& model) {
   const torch::NoGradGuard no_grad;
-  const auto cost_width = weights.metadata.find("cost_width");
-  const bool has_cost_head = cost_width == weights.metadata.end() || cost_width->second != "0";
   for (auto& parameter : model->named_parameters()) {
-    if (!has_cost_head && parameter.key().rfind(kCostHead, 0) == 0) {
-      continue;
-    }
     const auto found = weights.tensors.find(parameter.key());
     if (found == weights.tensors.end() || found->second.shape != parameter.value().sizes().vec()) {
       throw std::invalid_argument("tensor '" + parameter.key() +

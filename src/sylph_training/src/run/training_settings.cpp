@@ -20,7 +20,6 @@ sylph::NetworkShape readNetwork(const sylph::YamlMap& yaml) {
   read("width", shape.width);
   read("heads", shape.heads);
   read("semantic_tokens", shape.semantic_tokens);
-  shape.cost_width = static_cast<int>(yaml.integer("cost_width", shape.cost_width, 0, 4096));
   try {
     shape.requireValid();
   } catch (const std::invalid_argument& error) {

@@ -20,7 +20,6 @@ constexpr std::array<const char*, 4> kValidated = {"solved", "goals_reached", "e
 /// The model, with what the phase before would have exported.
 PolicyModel& learningModel(RunState& state) {
   copyWeights(state.average, state.model);
-  state.model->requireGradients(true);
   return state.model;
 }
 

@@ -38,10 +38,6 @@ void expectSameOutputs(const sylph::NetworkShape& shape, int agents, int threads
       threads);
   EXPECT_LT((toRows(expected.memory) - output.memory).cwiseAbs().maxCoeff(), 1e-4F);
   EXPECT_LT((toRows(expected.actions) - output.actions).cwiseAbs().maxCoeff(), 1e-4F);
-  EXPECT_LT((toRows(shape.cost_width > 0 ? expected.by_cost : expected.actions) - output.by_cost)
-                .cwiseAbs()
-                .maxCoeff(),
-            1e-4F);
   EXPECT_LT((toRows(expected.svo) - output.svo).cwiseAbs().maxCoeff(), 1e-4F);
   EXPECT_LT((toRows(expected.values) - output.values).cwiseAbs().maxCoeff(), 1e-4F);
   EXPECT_LT((toRows(expected.blocking) - output.blocking).cwiseAbs().maxCoeff(), 1e-4F);
@@ -64,9 +60,6 @@ TEST(PolicyModelTest, OtherWidthsToo) {
   shape.width = 50;
   shape.heads = 5;
   shape.semantic_tokens = 7;
-  shape.cost_width = 11;
-  expectSameOutputs(shape, 9, 2);
-  shape.cost_width = 0;
   expectSameOutputs(shape, 9, 2);
 }
 
@@ -96,20 +89,6 @@ TEST(PolicyModelTest, WeightsThereAndBackAreTheSame) {
   for (const auto& [name, tensor] : expected.tensors) {
     EXPECT_EQ(tensor.values, read.tensors.at(name).values) << name;
   }
-}
-
-TEST(PolicyModelTest, ACostHeadThatWeightsAreWithoutStaysAsItIs) {
-  sylph::NetworkShape shape;
-  shape.cost_width = 0;
-  PolicyModel without(shape);
-  PolicyModel model((sylph::NetworkShape()));
-  const auto before = exportWeights(model);
-  importWeights(exportWeights(without), model);
-  const auto after = exportWeights(model);
-  const std::string head = "heads.cost.linear1.weight";
-  EXPECT_EQ(before.tensors.at(head).values, after.tensors.at(head).values);
-  EXPECT_EQ(exportWeights(without).tensors.at("goal.weight").values,
-            after.tensors.at("goal.weight").values);
 }
 
 TEST(PolicyModelTest, RefusesWeightsThatLackATensor) {

@@ -20,7 +20,7 @@ checkpoint_interval_s: 0.001
 shards: 2
 validation_shards: 1
 worlds_per_shard: 2
-network: {near_width: 4, far_width: 4, goal_width: 4, message_width: 4, width: 16, semantic_tokens: 4, cost_width: 8}
+network: {near_width: 4, far_width: 4, goal_width: 4, message_width: 4, width: 16, semantic_tokens: 4}
 worlds: {side: [10, 11], usual_side: [10, 11], most_agents: 20}
 demonstrations: {improvement_s: 0.01, samples_per_world: 100}
 phases:

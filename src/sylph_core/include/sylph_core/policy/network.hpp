@@ -25,7 +25,6 @@ struct NetworkShape {
   int width = 128;           ///< of the features of an agent, a multiple of heads
   int heads = 4;             ///< of the semantic transformer
   int semantic_tokens = 16;  ///< L
-  int cost_width = 128;      ///< hidden units of the cost head; 0: there is none
 
   /// @throws std::invalid_argument naming the entry and what is allowed
   void requireValid() const;
@@ -51,9 +50,7 @@ struct NetworkInput {
 };
 
 struct NetworkOutput {
-  AgentRows actions;   ///< n x 5 logits, in the order of Action: as one who gives way by SVO
-  AgentRows by_cost;   ///< n x 5 logits: as in a cheap plan that somebody else keeps free of
-                       ///< conflicts; `actions` where the network has no cost head
+  AgentRows actions;   ///< n x 5 logits, in the order of Action
   AgentRows svo;       ///< n x svo_levels logits
   AgentRows values;    ///< n x 1
   AgentRows blocking;  ///< n x 1 logit: whether the agent blocks another one
@@ -69,10 +66,6 @@ struct NetworkOutput {
 /// differs from the paper in layer instead of batch normalisation, so that the result does not
 /// depend on stored statistics, and in the communication block's input, which holds the vector to
 /// the goal besides the SVO.
-///
-/// The cost head is ours as well. Who has to give way by itself and whose moves PIBT resolves do
-/// not want the same: inside PIBT, wanting out of the way pushes others for it. The head sees the
-/// features before and behind the semantic transformer and has a hidden layer of its own.
 ///
 /// The tokens T_l = a_l b + p_l are never formed: keys and values are linear in them, and of the
 /// self-attention only the memory token's row is read, so that an agent costs O(width^2).
@@ -126,7 +119,6 @@ class Network {
   AgentRows position_values_;
   DenseLayer basis_key_, basis_value_;  // key and value without bias
   DenseLayer action_head_, svo_head_, value_head_, blocking_head_;
-  DenseLayer cost1_, cost2_;  // the cost head's, if cost_width > 0
 };
 
 /// Sums over the hops of the partner graph: features of an agent's neighbours at distance `hops`,

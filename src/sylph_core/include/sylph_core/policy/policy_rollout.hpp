@@ -22,14 +22,14 @@ enum class SvoChoice {
 
 /// What is wanted of a step.
 enum class StepUse {
-  Social,  ///< all but `by_cost`, which then is the network's own
+  Social,  ///< all but `by_cost`, which then is `actions`
   Search,  ///< `by_cost` as well: twice the work where there is a cost network
 };
 
 /// What the policy says in one configuration, and what it takes along to the next one.
 struct PolicyStep {
   AgentRows actions;        ///< n x 5 logits, in the order of Action: for who resolves by SVO
-  AgentRows by_cost;        ///< n x 5 logits: for a search, of the cost network if there is one
+  AgentRows by_cost;        ///< n x 5 logits: of the cost network; `actions` without one
   AgentRows svo;            ///< n x levels, each row of sum 1
   AgentRows memory;         ///< n x width, or empty if the policy has none
   std::vector<int> waited;  ///< per agent: timesteps since it was last on its goal

@@ -24,7 +24,6 @@ struct PolicyInput {
 /// What the network says of the agents that are asked for.
 struct PolicyOutput {
   torch::Tensor actions;   ///< a x 5 logits
-  torch::Tensor by_cost;   ///< a x 5 logits of the cost head; undefined if there is none
   torch::Tensor svo;       ///< a x svo_levels logits
   torch::Tensor values;    ///< a
   torch::Tensor blocking;  ///< a, logits
@@ -55,10 +54,6 @@ class PolicyModelImpl : public torch::nn::Module {
   /// In which type the views are encoded, which is most of the work: torch::kFloat, the default, or
   /// torch::kBFloat16, about twice as fast where the processor knows it. Weights stay in float.
   void setEncoderType(torch::ScalarType type) { encoder_type_ = type; }
-  /// Lets all parameters learn, or none.
-  void requireGradients(bool required);
-  /// Parameters of the cost head; none if there is none.
-  std::vector<torch::Tensor> costParameters() const;
   /// Parameters of the value and blocking heads.
   std::vector<torch::Tensor> criticParameters() const;
   /// Sizes of its layers.
@@ -82,14 +77,12 @@ class PolicyModelImpl : public torch::nn::Module {
   torch::nn::LSTMCell lstm_{nullptr};
   torch::nn::Linear action_head_{nullptr}, svo_head_{nullptr}, value_head_{nullptr},
       blocking_head_{nullptr};
-  torch::nn::Linear cost1_{nullptr}, cost2_{nullptr};
 };
 TORCH_MODULE(PolicyModel);
 
 /// The model's weights with the network's shape as metadata, ready for saveTensorFile().
 sylph::TensorFile exportWeights(const PolicyModel& model);
 
-/// A cost head that the weights are without (metadata: cost_width) stays as it is.
 /// @throws std::invalid_argument naming the tensor that is missing or of another shape
 void importWeights(const sylph::TensorFile& weights, PolicyModel& model);
 
