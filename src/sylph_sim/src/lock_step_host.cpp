@@ -46,7 +46,7 @@ LockStepHost::LockStepHost(ros::NodeHandle suite_nh, const LockStepOptions& opti
                            std::vector<std::string> expected, double speed, const ros::Time& start,
                            Advance advance)
     : options_(options),
-      roll_(std::move(expected), options.silent_after_s),
+      members_(std::move(expected), options.silent_after_s),
       speed_(speed),
       advance_(std::move(advance)),
       began_wall_s_(wallNow()),
@@ -68,7 +68,7 @@ ros::Publisher LockStepHost::advertise(ros::NodeHandle& nh, const char* topic) {
                                                 [this](const ros::SingleSubscriberPublisher& node) {
                                                   // Its process has ended: that is heard at once,
                                                   // and the lab is none that waits for it.
-                                                  roll_.leave(node.getSubscriberName());
+                                                  members_.leave(node.getSubscriberName());
                                                   proceed();
                                                 });
 }
@@ -100,9 +100,10 @@ void LockStepHost::onDone(const sylph_msgs::LockStepDone& done) {
       }
     }
   }
-  const Roll::Return back = roll_.note({done.node, static_cast<Roll::Stage>(done.stage),
-                                        done.number, done.is_ready != 0, done.is_busy != 0},
-                                       wallNow());
+  const LockStepMembers::Return back =
+      members_.note({done.node, static_cast<LockStepMembers::Stage>(done.stage), done.number,
+                     done.is_ready != 0, done.is_busy != 0},
+                    wallNow());
   has_joined_ = has_joined_ || back.is_new;
   if (back.silent_s > 0.0) {
     ROS_WARN("%s answers again after %.1f s", done.node.c_str(), back.silent_s);
@@ -114,11 +115,11 @@ void LockStepHost::onTimer() {
   const double wall_s = wallNow();
   measure(wall_s);
   if (waiting_ == Waiting::ForStart) {
-    callRoll(wall_s);
+    callMembers(wall_s);
     return;
   }
   if (waiting_ == Waiting::ForFirst || waiting_ == Waiting::ForSecond) {
-    for (const std::string& name : roll_.findSilent(wall_s)) {
+    for (const std::string& name : members_.findSilent(wall_s)) {
       ROS_WARN("%s has not answered for %.1f s: the lab goes on without it", name.c_str(),
                options_.silent_after_s);
     }
@@ -130,14 +131,14 @@ void LockStepHost::onTimer() {
   proceed();
 }
 
-void LockStepHost::callRoll(double wall_s) {
+void LockStepHost::callMembers(double wall_s) {
   if (wall_s - called_wall_s_ > kCallPeriodWall_s) {
     called_wall_s_ = wall_s;
     addCounts(tick_, true);
     first_publisher_.publish(tick_);
     second_publisher_.publish(tick_);
   }
-  const std::vector<std::string> unready = roll_.unready();
+  const std::vector<std::string> unready = members_.unready();
   if (!unready.empty()) {
     ready_since_s_ = 0.0;
   } else if (ready_since_s_ == 0.0) {
@@ -156,10 +157,10 @@ void LockStepHost::callRoll(double wall_s) {
 
 void LockStepHost::proceed() {
   const double wall_s = wallNow();
-  if (waiting_ == Waiting::ForFirst && roll_.hasAnswered()) {
+  if (waiting_ == Waiting::ForFirst && members_.hasAnswered()) {
     callSecond(wall_s);
   }
-  if (waiting_ == Waiting::ForSecond && roll_.hasAnswered() &&
+  if (waiting_ == Waiting::ForSecond && members_.hasAnswered() &&
       (mailbox_.isComplete(hasPublisher) || wall_s - asked_wall_s_ > kPatienceWall_s)) {
     endTick();
   }
@@ -181,8 +182,8 @@ void LockStepHost::beginTick(double wall_s) {
   tick_.counts.clear();
   waiting_ = Waiting::ForFirst;
   called_wall_s_ = wall_s;
-  roll_.call(Roll::Stage::First, number_, wall_s);
-  if (roll_.count(Roll::Stage::First) > 0) {
+  members_.call(LockStepMembers::Stage::First, number_, wall_s);
+  if (members_.count(LockStepMembers::Stage::First) > 0) {
     first_publisher_.publish(tick_);
   } else {
     callSecond(wall_s);
@@ -193,7 +194,7 @@ void LockStepHost::callSecond(double wall_s) {
   addCounts(tick_, std::exchange(has_joined_, false));
   waiting_ = Waiting::ForSecond;
   called_wall_s_ = asked_wall_s_ = wall_s;
-  roll_.call(Roll::Stage::Second, number_, wall_s);
+  members_.call(LockStepMembers::Stage::Second, number_, wall_s);
   second_publisher_.publish(tick_);
 }
 

@@ -16,7 +16,7 @@
 #include <vector>
 
 #include "sylph_ros/mailbox.hpp"
-#include "sylph_sim/roll.hpp"
+#include "sylph_sim/lock_step_members.hpp"
 
 namespace sylph_sim {
 
@@ -57,7 +57,7 @@ class LockStepHost {
   /// Simulated seconds a wall second, over the last full second of the wall.
   double speed() const { return measured_speed_; }
   /// Nodes that do not answer.
-  std::vector<std::string> silent() const { return roll_.silent(); }
+  std::vector<std::string> silent() const { return members_.silent(); }
 
  private:
   enum class Waiting { ForStart, ForTurn, ForFirst, ForSecond };
@@ -65,7 +65,7 @@ class LockStepHost {
   ros::Publisher advertise(ros::NodeHandle& nh, const char* topic);
   void onDone(const sylph_msgs::LockStepDone& done);
   void onTimer();
-  void callRoll(double wall_s);
+  void callMembers(double wall_s);
   void proceed();
   void beginTick(double wall_s);
   void callSecond(double wall_s);
@@ -74,7 +74,7 @@ class LockStepHost {
   void measure(double wall_s);
 
   LockStepOptions options_;
-  Roll roll_;
+  LockStepMembers members_;
   double speed_;
   Advance advance_;
   sylph_ros::Mailbox mailbox_;

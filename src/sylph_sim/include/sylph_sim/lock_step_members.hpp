@@ -11,7 +11,7 @@ namespace sylph_sim {
 ///
 /// Nodes are members from their first answer on until they end. One that does not answer for too
 /// long is silent: the lab goes on without it until it answers again.
-class Roll {
+class LockStepMembers {
  public:
   /// When a member acts; StartOnly: it is waited for before the lab begins, and then never again.
   enum class Stage : std::uint8_t { First, Second, StartOnly };
@@ -33,7 +33,7 @@ class Roll {
 
   /// @param expected  nodes without which the lab does not begin
   /// @param limit_s   without an answer for so long a member is silent [wall s]
-  Roll(std::vector<std::string> expected, double limit_s)
+  LockStepMembers(std::vector<std::string> expected, double limit_s)
       : expected_(std::move(expected)), limit_s_(limit_s) {}
 
   /// A node has ended: nobody waits for it, until it is started again and answers.

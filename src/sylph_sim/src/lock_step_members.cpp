@@ -1,16 +1,16 @@
-#include "sylph_sim/roll.hpp"
+#include "sylph_sim/lock_step_members.hpp"
 
 #include <algorithm>
 
 namespace sylph_sim {
 
-void Roll::call(Stage stage, std::uint32_t number, double wall_s) {
+void LockStepMembers::call(Stage stage, std::uint32_t number, double wall_s) {
   stage_ = stage;
   number_ = number;
   called_s_ = wall_s;
 }
 
-Roll::Return Roll::note(const Answer& answer, double wall_s) {
+LockStepMembers::Return LockStepMembers::note(const Answer& answer, double wall_s) {
   const auto [entry, is_new] = members_.try_emplace(answer.node);
   Member& member = entry->second;
   Return result;
@@ -26,16 +26,16 @@ Roll::Return Roll::note(const Answer& answer, double wall_s) {
   return result;
 }
 
-bool Roll::isAwaited(const Member& member) const {
+bool LockStepMembers::isAwaited(const Member& member) const {
   return member.stage == stage_ && member.number != number_ && !member.is_silent;
 }
 
-bool Roll::hasAnswered() const {
+bool LockStepMembers::hasAnswered() const {
   return std::none_of(members_.begin(), members_.end(),
                       [this](const auto& entry) { return isAwaited(entry.second); });
 }
 
-std::vector<std::string> Roll::unready() const {
+std::vector<std::string> LockStepMembers::unready() const {
   std::vector<std::string> names;
   for (const std::string& name : expected_) {
     if (members_.count(name) == 0) {
@@ -50,7 +50,7 @@ std::vector<std::string> Roll::unready() const {
   return names;
 }
 
-std::vector<std::string> Roll::findSilent(double wall_s) {
+std::vector<std::string> LockStepMembers::findSilent(double wall_s) {
   std::vector<std::string> names;
   for (auto& [name, member] : members_) {
     if (isAwaited(member) && wall_s - std::max(member.heard_s, called_s_) > limit_s_) {
@@ -61,7 +61,7 @@ std::vector<std::string> Roll::findSilent(double wall_s) {
   return names;
 }
 
-std::vector<std::string> Roll::silent() const {
+std::vector<std::string> LockStepMembers::silent() const {
   std::vector<std::string> names;
   for (const auto& [name, member] : members_) {
     if (member.is_silent) {
@@ -71,7 +71,7 @@ std::vector<std::string> Roll::silent() const {
   return names;
 }
 
-std::size_t Roll::count(Stage stage) const {
+std::size_t LockStepMembers::count(Stage stage) const {
   return static_cast<std::size_t>(
       std::count_if(members_.begin(), members_.end(),
                     [stage](const auto& entry) { return entry.second.stage == stage; }));
