@@ -8,8 +8,8 @@
 #include "sylph_core/policy/policy_rollout.hpp"
 #include "sylph_core/social/partners.hpp"
 #include "sylph_core/social/svo.hpp"
-#include "sylph_training/imitation/crowd.hpp"
 #include "sylph_training/imitation/reactive_teacher.hpp"
+#include "sylph_training/imitation/team_state.hpp"
 
 namespace sylph_training {
 namespace {
@@ -30,10 +30,10 @@ std::vector<float> drawTieBreaks(std::size_t count, sylph::Rng& rng) {
   return tie_breaks;
 }
 
-Action drawAction(const Crowd& crowd, AgentId agent, bool greedy, sylph::Rng& rng) {
+Action drawAction(const TeamState& team, AgentId agent, bool greedy, sylph::Rng& rng) {
   std::vector<Action> choices;
   for (const Action action : sylph::kActions) {
-    if (greedy ? crowd.isGreedy(agent, action) : crowd.isValid(agent, action)) {
+    if (greedy ? team.isGreedy(agent, action) : team.isValid(agent, action)) {
       choices.push_back(action);
     }
   }
@@ -43,18 +43,18 @@ Action drawAction(const Crowd& crowd, AgentId agent, bool greedy, sylph::Rng& rn
 /// Turns configurations of one world into scenes.
 class Labeller {
  public:
-  Labeller(const Crowd& crowd, const ReactiveSettings& settings, sylph::Rng& rng)
-      : crowd_(&crowd),
+  Labeller(const TeamState& team, const ReactiveSettings& settings, sylph::Rng& rng)
+      : team_(&team),
         settings_(&settings),
         rng_(&rng),
-        teacher_(crowd.problem(), rng),
-        encoder_(crowd.instance().grid, crowd.problem().distances.fields()) {}
+        teacher_(team.problem(), rng),
+        encoder_(team.instance().grid, team.problem().distances.fields()) {}
 
   ReactiveTeacher& teacher() { return teacher_; }
 
   /// @param logits  that the teacher's taste is to follow, nullptr: its own
   Scene make(const std::vector<AgentId>& partners, const sylph::AgentRows* logits) {
-    sylph::AgentStates states = crowd_->states();
+    sylph::AgentStates states = team_->states();
     if (sylph::drawFraction(*rng_) < settings_->perturbed) {
       perturb(states.svo_deg);
     }
@@ -63,7 +63,7 @@ class Labeller {
     const std::vector<bool> is_sample = drawSamples(votes);
     Scene scene;
     std::vector<float> view(sylph::kObservationSize);
-    for (AgentId agent = 0; agent < crowd_->agentCount(); ++agent) {
+    for (AgentId agent = 0; agent < team_->agentCount(); ++agent) {
       const auto index = static_cast<std::size_t>(agent);
       SceneAgent known;
       known.partner = static_cast<std::uint16_t>(partners[index]);
@@ -81,8 +81,8 @@ class Labeller {
   using Votes = std::array<std::uint8_t, sylph::kActionCount>;
 
   void perturb(std::vector<float>& svo_deg) {
-    for (AgentId agent = 0; agent < crowd_->agentCount(); ++agent) {
-      if (!crowd_->isHome(agent) && sylph::drawFraction(*rng_) < kPerturbedAgents) {
+    for (AgentId agent = 0; agent < team_->agentCount(); ++agent) {
+      if (!team_->isHome(agent) && sylph::drawFraction(*rng_) < kPerturbedAgents) {
         svo_deg[static_cast<std::size_t>(agent)] = static_cast<float>(
             sylph::svoOfLevel(sylph::kMostProsocialLevel) * sylph::drawFraction(*rng_));
       }
@@ -92,7 +92,7 @@ class Labeller {
   std::vector<Votes> vote(const std::vector<float>& svo_deg, const sylph::AgentRows* logits) {
     std::vector<Votes> votes(svo_deg.size(), Votes{});
     for (int draw = 0; draw < settings_->draws; ++draw) {
-      const std::vector<Action> desired = teacher_.desiredActions(*crowd_, svo_deg, logits);
+      const std::vector<Action> desired = teacher_.desiredActions(*team_, svo_deg, logits);
       for (std::size_t agent = 0; agent < desired.size(); ++agent) {
         ++votes[agent][static_cast<std::size_t>(desired[agent])];
       }
@@ -107,12 +107,12 @@ class Labeller {
   // Agents at rest and agents that just go on are many and teach little.
   std::vector<bool> drawSamples(const std::vector<Votes>& votes) {
     std::vector<std::size_t> drawn;
-    for (AgentId agent = 0; agent < crowd_->agentCount(); ++agent) {
+    for (AgentId agent = 0; agent < team_->agentCount(); ++agent) {
       const Action desired = favourite(votes[static_cast<std::size_t>(agent)]);
-      const bool rests = crowd_->isHome(agent) && desired == Action::Stay;
-      const double share = rests                              ? settings_->rest_share
-                           : crowd_->isGreedy(agent, desired) ? settings_->greedy_share
-                                                              : 1.0;
+      const bool rests = team_->isHome(agent) && desired == Action::Stay;
+      const double share = rests                             ? settings_->rest_share
+                           : team_->isGreedy(agent, desired) ? settings_->greedy_share
+                                                             : 1.0;
       if (sylph::drawFraction(*rng_) < share) {
         drawn.push_back(static_cast<std::size_t>(agent));
       }
@@ -133,7 +133,7 @@ class Labeller {
     sample.votes = votes;
     for (const Action action : sylph::kActions) {
       sample.regrets[static_cast<std::size_t>(action)] =
-          !crowd_->isValid(agent, action)               ? kImpossible
+          !team_->isValid(agent, action)                ? kImpossible
           : votes[static_cast<std::size_t>(action)] > 0 ? std::uint8_t{0}
                                                         : std::uint8_t{1};
     }
@@ -141,7 +141,7 @@ class Labeller {
     return sample;
   }
 
-  const Crowd* crowd_;
+  const TeamState* team_;
   const ReactiveSettings* settings_;
   sylph::Rng* rng_;
   ReactiveTeacher teacher_;
@@ -149,15 +149,15 @@ class Labeller {
 };
 
 /// The teacher's desired actions, less some that give way, with a little noise.
-std::vector<Action> withMistakes(std::vector<Action> desired, const Crowd& crowd, double mistakes,
-                                 double noise, sylph::Rng& rng) {
-  for (AgentId agent = 0; agent < crowd.agentCount(); ++agent) {
+std::vector<Action> withMistakes(std::vector<Action> desired, const TeamState& team,
+                                 double mistakes, double noise, sylph::Rng& rng) {
+  for (AgentId agent = 0; agent < team.agentCount(); ++agent) {
     Action& action = desired[static_cast<std::size_t>(agent)];
-    if (!crowd.isGreedy(agent, action) && sylph::drawFraction(rng) < mistakes) {
-      action = drawAction(crowd, agent, true, rng);
+    if (!team.isGreedy(agent, action) && sylph::drawFraction(rng) < mistakes) {
+      action = drawAction(team, agent, true, rng);
     }
     if (sylph::drawFraction(rng) < noise) {
-      action = drawAction(crowd, agent, false, rng);
+      action = drawAction(team, agent, false, rng);
     }
   }
   return desired;
@@ -214,8 +214,8 @@ ReactiveSettings ReactiveSettings::read(const sylph::YamlMap& yaml) {
 SceneSource teacherLedScenes(const ReactiveSettings& settings) {
   return [settings](const sylph::Instance& instance, sylph::Rng& rng, SceneStore& store) {
     const sylph::SearchProblem problem(instance);
-    Crowd crowd(instance, problem, drawTieBreaks(instance.starts.size(), rng));
-    Labeller labeller(crowd, settings, rng);
+    TeamState team(instance, problem, drawTieBreaks(instance.starts.size(), rng));
+    Labeller labeller(team, settings, rng);
     const auto distance = [&](AgentId agent, const sylph::Cell& cell) {
       return problem.distances.fields()[static_cast<std::size_t>(agent)].at(cell);
     };
@@ -223,17 +223,17 @@ SceneSource teacherLedScenes(const ReactiveSettings& settings) {
     const double mistakes = settings.mistakes * sylph::drawFraction(rng);
     const double noise = kMostNoise * sylph::drawFraction(rng);
     const std::size_t before = store.sampleCount();
-    for (int step = 0; step < settings.most_steps && !crowd.isSolved(); ++step) {
+    for (int step = 0; step < settings.most_steps && !team.isSolved(); ++step) {
       if (step > 0) {
-        partners.update(crowd.states().cells);
+        partners.update(team.states().cells);
       }
       if (sylph::drawFraction(rng) < sceneShare(settings, instance.agentCount(), step)) {
         addIfAny(labeller.make(partners.fixed(), nullptr), store);
       }
-      const std::vector<float> svo_deg = crowd.states().svo_deg;
-      crowd.move(withMistakes(labeller.teacher().desiredActions(crowd, svo_deg), crowd, mistakes,
-                              noise, rng),
-                 svo_deg);
+      const std::vector<float> svo_deg = team.states().svo_deg;
+      team.move(withMistakes(labeller.teacher().desiredActions(team, svo_deg), team, mistakes,
+                             noise, rng),
+                svo_deg);
     }
     return store.sampleCount() > before;
   };
@@ -249,37 +249,37 @@ SceneSource studentLedScenes(std::shared_ptr<const sylph::Policy> policy,
     const sylph::SearchProblem problem(instance);
     sylph::PolicyRollout rollout(*policy, instance.grid, problem.distances.fields(),
                                  sylph::SvoChoice::Waiting, 1, rng);
-    Crowd crowd(instance, problem, rollout.tieBreaks());
-    Labeller labeller(crowd, settings, rng);
+    TeamState team(instance, problem, rollout.tieBreaks());
+    Labeller labeller(team, settings, rng);
     sylph::PolicyStep step = rollout.nothingKnown();
     const double temperature =
         kLowestTemperature + (kHighestTemperature - kLowestTemperature) * sylph::drawFraction(rng);
     const std::size_t before = store.sampleCount();
-    for (int timestep = 0; timestep < settings.most_steps && !crowd.isSolved(); ++timestep) {
-      step = rollout.follow(step, crowd.before(), crowd.states().cells, rng);
+    for (int timestep = 0; timestep < settings.most_steps && !team.isSolved(); ++timestep) {
+      step = rollout.follow(step, team.before(), team.states().cells, rng);
       if (sylph::drawFraction(rng) < sceneShare(settings, instance.agentCount(), timestep)) {
         addIfAny(
             labeller.make(step.social.partners, settings.by_preference ? &step.actions : nullptr),
             store);
       }
-      crowd.move(drawDesiredActions(crowd, step.actions, temperature, rng), crowd.states().svo_deg);
+      team.move(drawDesiredActions(team, step.actions, temperature, rng), team.states().svo_deg);
     }
     return store.sampleCount() > before;
   };
 }
 
-std::vector<Action> drawDesiredActions(const Crowd& crowd, const sylph::AgentRows& logits,
+std::vector<Action> drawDesiredActions(const TeamState& team, const sylph::AgentRows& logits,
                                        double temperature, sylph::Rng& rng) {
   constexpr double kHalfStep = 0.5 / 4294967296.0;  // keeps the fraction off 0
   std::vector<Action> desired;
-  for (AgentId agent = 0; agent < crowd.agentCount(); ++agent) {
+  for (AgentId agent = 0; agent < team.agentCount(); ++agent) {
     double best = 0.0;
     Action drawn = Action::Stay;
     for (const Action action : sylph::kActions) {
       const double gumbel = -std::log(-std::log(sylph::drawFraction(rng) + kHalfStep));
       const double key = static_cast<double>(logits(agent, static_cast<Eigen::Index>(action))) +
                          temperature * gumbel;
-      if (action == Action::Stay || (crowd.isValid(agent, action) && key > best)) {
+      if (action == Action::Stay || (team.isValid(agent, action) && key > best)) {
         best = key;
         drawn = action;
       }

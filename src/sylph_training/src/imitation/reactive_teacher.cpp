@@ -21,13 +21,13 @@ constexpr double kMostLogits = 8.0;  // so that taste never outweighs a cell
 ReactiveTeacher::Ranking::Ranking(const sylph::SearchProblem& problem, sylph::Rng& rng)
     : problem_(&problem), rng_(&rng) {}
 
-void ReactiveTeacher::Ranking::prepare(const Crowd& crowd, const sylph::AgentRows* logits) {
+void ReactiveTeacher::Ranking::prepare(const TeamState& team, const sylph::AgentRows* logits) {
   logits_ = logits;
-  straight_.assign(crowd.states().cells.size(), sylph::kNoVertex);
+  straight_.assign(team.states().cells.size(), sylph::kNoVertex);
   for (std::size_t agent = 0; agent < straight_.size(); ++agent) {
-    const Action last = crowd.states().last_moves[agent];
-    if (last != Action::Stay && crowd.isValid(static_cast<AgentId>(agent), last)) {
-      straight_[agent] = problem_->graph.vertexAt(neighbor(crowd.states().cells[agent], last));
+    const Action last = team.states().last_moves[agent];
+    if (last != Action::Stay && team.isValid(static_cast<AgentId>(agent), last)) {
+      straight_[agent] = problem_->graph.vertexAt(neighbor(team.states().cells[agent], last));
     }
   }
 }
@@ -52,7 +52,7 @@ void ReactiveTeacher::Ranking::rank(AgentId agent, sylph::VertexId at,
 ReactiveTeacher::ReactiveTeacher(const sylph::SearchProblem& problem, sylph::Rng& rng)
     : problem_(&problem), pibt_(problem), ranking_(problem, rng) {}
 
-std::vector<Action> ReactiveTeacher::desiredActions(const Crowd& crowd,
+std::vector<Action> ReactiveTeacher::desiredActions(const TeamState& team,
                                                     const std::vector<float>& svo_deg,
                                                     const sylph::AgentRows* logits) {
   std::vector<AgentId> order(svo_deg.size());
@@ -60,13 +60,13 @@ std::vector<Action> ReactiveTeacher::desiredActions(const Crowd& crowd,
   std::stable_sort(order.begin(), order.end(), [&](AgentId left, AgentId right) {
     return svo_deg[static_cast<std::size_t>(left)] < svo_deg[static_cast<std::size_t>(right)];
   });
-  ranking_.prepare(crowd, logits);
+  ranking_.prepare(team, logits);
   sylph::Vertices to(svo_deg.size(), sylph::kNoVertex);
-  pibt_.step(problem_->graph.toVertices(crowd.states().cells), order, ranking_, to);
+  pibt_.step(problem_->graph.toVertices(team.states().cells), order, ranking_, to);
   std::vector<Action> desired;
   for (std::size_t agent = 0; agent < to.size(); ++agent) {
     desired.push_back(
-        *actionBetween(crowd.states().cells[agent], problem_->graph.cellAt(to[agent])));
+        *actionBetween(team.states().cells[agent], problem_->graph.cellAt(to[agent])));
   }
   return desired;
 }

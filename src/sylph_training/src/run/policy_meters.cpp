@@ -10,9 +10,9 @@
 #include "sylph_core/mapf/random_instance.hpp"
 #include "sylph_core/social/precedence.hpp"
 #include "sylph_core/social/svo.hpp"
-#include "sylph_training/imitation/crowd.hpp"
 #include "sylph_training/imitation/reactive_scenes.hpp"
 #include "sylph_training/imitation/reactive_teacher.hpp"
+#include "sylph_training/imitation/team_state.hpp"
 
 namespace sylph_training {
 namespace {
@@ -76,8 +76,8 @@ struct Tally {
   Share role_flips, gives_way_by_svo;
 };
 
-bool isAway(const Crowd& crowd, AgentId agent, Action action) {
-  return action != Action::Stay && !crowd.isGreedy(agent, action);
+bool isAway(const TeamState& team, AgentId agent, Action action) {
+  return action != Action::Stay && !team.isGreedy(agent, action);
 }
 
 /// Plays one world and adds to the tally.
@@ -92,36 +92,35 @@ class Meter {
         problem_(instance_),
         rollout_(policy, instance_.grid, problem_.distances.fields(), settings.svo, 1, rng),
         probe_(policy, instance_.grid, problem_.distances.fields(), sylph::SvoChoice::Mean, 1, rng),
-        crowd_(instance_, problem_, rollout_.tieBreaks()),
+        team_(instance_, problem_, rollout_.tieBreaks()),
         teacher_(problem_, rng) {}
 
   void play() {
     sylph::PolicyStep before = rollout_.nothingKnown();
     sylph::Plan plan = {instance_.starts};
-    for (int timestep = 0; timestep < settings_->steps && !crowd_.isSolved(); ++timestep) {
-      sylph::PolicyStep step =
-          rollout_.follow(before, crowd_.before(), crowd_.states().cells, *rng_);
-      const auto desired = drawDesiredActions(crowd_, step.actions, settings_->temperature, *rng_);
+    for (int timestep = 0; timestep < settings_->steps && !team_.isSolved(); ++timestep) {
+      sylph::PolicyStep step = rollout_.follow(before, team_.before(), team_.states().cells, *rng_);
+      const auto desired = drawDesiredActions(team_, step.actions, settings_->temperature, *rng_);
       const std::vector<float>& svo_deg = step.social.svo_deg;
-      compare(desired, teacher_.desiredActions(crowd_, svo_deg),
-              teacher_.desiredActions(crowd_, svo_deg));
+      compare(desired, teacher_.desiredActions(team_, svo_deg),
+              teacher_.desiredActions(team_, svo_deg));
       watchRoles(timestep, desired, svo_deg);
       for (std::size_t agent = 0; agent < svo_deg.size(); ++agent) {
-        tally_->svo_error_deg.add(std::abs(svo_deg[agent] - crowd_.states().svo_deg[agent]));
+        tally_->svo_error_deg.add(std::abs(svo_deg[agent] - team_.states().svo_deg[agent]));
       }
       if (timestep % kSensitivityInterval == kSensitivityInterval / 2) {
         probeSvo(before);
       }
-      crowd_.move(desired, svo_deg);
-      plan.push_back(crowd_.states().cells);
+      team_.move(desired, svo_deg);
+      plan.push_back(team_.states().cells);
       before = std::move(step);
     }
     int home = 0;
-    for (AgentId agent = 0; agent < crowd_.agentCount(); ++agent) {
-      home += crowd_.isHome(agent) ? 1 : 0;
+    for (AgentId agent = 0; agent < team_.agentCount(); ++agent) {
+      home += team_.isHome(agent) ? 1 : 0;
     }
-    tally_->arrived.add(static_cast<double>(home) / crowd_.agentCount());
-    if (crowd_.isSolved()) {
+    tally_->arrived.add(static_cast<double>(home) / team_.agentCount());
+    if (team_.isSolved()) {
       ++tally_->solved;
       tally_->cost_ratio.add(
           static_cast<double>(computeMetrics(instance_, plan).sum_of_costs) /
@@ -132,15 +131,15 @@ class Meter {
  private:
   void compare(const std::vector<Action>& desired, const std::vector<Action>& taught,
                const std::vector<Action>& taught_again) {
-    for (AgentId agent = 0; agent < crowd_.agentCount(); ++agent) {
+    for (AgentId agent = 0; agent < team_.agentCount(); ++agent) {
       const auto index = static_cast<std::size_t>(agent);
       const Action action = desired[index];
       const Action right = taught[index];
-      if (crowd_.isHome(agent) && right == Action::Stay) {
+      if (team_.isHome(agent) && right == Action::Stay) {
         continue;
       }
-      const bool is_right_way = !crowd_.isGreedy(agent, right);
-      const bool gives_way = !crowd_.isGreedy(agent, action);
+      const bool is_right_way = !team_.isGreedy(agent, right);
+      const bool gives_way = !team_.isGreedy(agent, action);
       tally_->non_greedy.add(is_right_way);
       if (is_right_way) {
         tally_->recall.add(gives_way);
@@ -150,11 +149,11 @@ class Meter {
       if (gives_way) {
         tally_->precision.add(is_right_way);
       }
-      if (isAway(crowd_, agent, right)) {
-        tally_->away_recall.add(isAway(crowd_, agent, action));
+      if (isAway(team_, agent, right)) {
+        tally_->away_recall.add(isAway(team_, agent, action));
       }
-      if (isAway(crowd_, agent, action)) {
-        tally_->away_precision.add(isAway(crowd_, agent, right));
+      if (isAway(team_, agent, action)) {
+        tally_->away_precision.add(isAway(team_, agent, right));
       }
     }
   }
@@ -163,27 +162,26 @@ class Meter {
   // cell. They have roles if one of them means to and the other does not.
   void watchRoles(int timestep, const std::vector<Action>& desired,
                   const std::vector<float>& svo_deg) {
-    const sylph::Vertices at = problem_.graph.toVertices(crowd_.states().cells);
+    const sylph::Vertices at = problem_.graph.toVertices(team_.states().cells);
     std::map<sylph::VertexId, AgentId> occupants;
-    for (AgentId agent = 0; agent < crowd_.agentCount(); ++agent) {
+    for (AgentId agent = 0; agent < team_.agentCount(); ++agent) {
       occupants[at[static_cast<std::size_t>(agent)]] = agent;
     }
-    for (AgentId agent = 0; agent < crowd_.agentCount(); ++agent) {
+    for (AgentId agent = 0; agent < team_.agentCount(); ++agent) {
       const auto index = static_cast<std::size_t>(agent);
       for (const Action action : {Action::East, Action::South}) {
-        if (!crowd_.isValid(agent, action)) {
+        if (!team_.isValid(agent, action)) {
           continue;
         }
         const auto found =
-            occupants.find(problem_.graph.vertexAt(neighbor(crowd_.states().cells[index], action)));
-        if (found == occupants.end() || !crowd_.isGreedy(agent, action) ||
-            !crowd_.isGreedy(found->second,
-                             action == Action::East ? Action::West : Action::North)) {
+            occupants.find(problem_.graph.vertexAt(neighbor(team_.states().cells[index], action)));
+        if (found == occupants.end() || !team_.isGreedy(agent, action) ||
+            !team_.isGreedy(found->second, action == Action::East ? Action::West : Action::North)) {
           continue;
         }
         const auto other = static_cast<std::size_t>(found->second);
-        const bool pushes = crowd_.isGreedy(agent, desired[index]);
-        if (pushes == crowd_.isGreedy(found->second, desired[other])) {
+        const bool pushes = team_.isGreedy(agent, desired[index]);
+        if (pushes == team_.isGreedy(found->second, desired[other])) {
           continue;
         }
         if (svo_deg[index] != svo_deg[other]) {
@@ -201,7 +199,7 @@ class Meter {
   }
 
   void probeSvo(const sylph::PolicyStep& before) {
-    std::vector<bool> is_used(static_cast<std::size_t>(crowd_.agentCount()), false);
+    std::vector<bool> is_used(static_cast<std::size_t>(team_.agentCount()), false);
     sylph::PolicyStep one_way = before;
     sylph::PolicyStep other_way = before;
     std::vector<AgentId> probed;
@@ -209,12 +207,12 @@ class Meter {
       step.social.svo_deg[static_cast<std::size_t>(agent)] = svo_deg;
       sylph::spreadOverLevels(svo_deg, step.svo.row(agent).data());
     };
-    for (AgentId agent = 0; agent < crowd_.agentCount(); ++agent) {
-      for (AgentId other = agent + 1; other < crowd_.agentCount(); ++other) {
+    for (AgentId agent = 0; agent < team_.agentCount(); ++agent) {
+      for (AgentId other = agent + 1; other < team_.agentCount(); ++other) {
         const auto first = static_cast<std::size_t>(agent);
         const auto second = static_cast<std::size_t>(other);
-        if (is_used[first] || is_used[second] || crowd_.isHome(agent) || crowd_.isHome(other) ||
-            !actionBetween(crowd_.states().cells[first], crowd_.states().cells[second])) {
+        if (is_used[first] || is_used[second] || team_.isHome(agent) || team_.isHome(other) ||
+            !actionBetween(team_.states().cells[first], team_.states().cells[second])) {
           continue;
         }
         is_used[first] = is_used[second] = true;
@@ -228,8 +226,8 @@ class Meter {
     if (probed.empty()) {
       return;
     }
-    const sylph::Configuration& from = crowd_.before();
-    const sylph::Configuration& to = crowd_.states().cells;
+    const sylph::Configuration& from = team_.before();
+    const sylph::Configuration& to = team_.states().cells;
     const sylph::AgentRows one = probe_.follow(one_way, from, to, *rng_).actions;
     const sylph::AgentRows other = probe_.follow(other_way, from, to, *rng_).actions;
     for (const AgentId agent : probed) {
@@ -243,7 +241,7 @@ class Meter {
     const double highest = logits.row(agent).maxCoeff();
     for (const Action action : sylph::kActions) {
       const auto column = static_cast<Eigen::Index>(action);
-      weights(column) = crowd_.isValid(agent, action)
+      weights(column) = team_.isValid(agent, action)
                             ? std::exp((static_cast<double>(logits(agent, column)) - highest) /
                                        settings_->temperature)
                             : 0.0;
@@ -258,7 +256,7 @@ class Meter {
   sylph::SearchProblem problem_;
   sylph::PolicyRollout rollout_;
   sylph::PolicyRollout probe_;  // asked with other SVOs
-  Crowd crowd_;
+  TeamState team_;
   ReactiveTeacher teacher_;
   // Per pair: when it had roles last, and whether the first one pushed.
   std::map<std::pair<AgentId, AgentId>, std::pair<int, bool>> roles_;

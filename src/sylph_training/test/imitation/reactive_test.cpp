@@ -27,32 +27,32 @@ sylph::Instance dense(sylph::Rng& rng) {
   return sampleWorld(settings, rng);
 }
 
-TEST(CrowdTest, CountsWaitingAndTellsWhatComesCloser) {
+TEST(TeamStateTest, CountsWaitingAndTellsWhatComesCloser) {
   const sylph::Instance instance = corridor();
   const sylph::SearchProblem problem(instance);
-  Crowd crowd(instance, problem, {0.5F, 0.25F});
-  EXPECT_TRUE(crowd.isGreedy(0, Action::East));
-  EXPECT_FALSE(crowd.isGreedy(0, Action::West));
-  EXPECT_FALSE(crowd.isValid(0, Action::North));
-  EXPECT_FALSE(crowd.isGreedy(0, Action::Stay));
-  crowd.move({Action::West, Action::West}, crowd.states().svo_deg);
-  EXPECT_EQ((sylph::Configuration{{1, 1}, {1, 2}}), crowd.states().cells);
-  EXPECT_EQ(instance.starts, crowd.before());
-  EXPECT_EQ((std::vector<int>{2, 2}), crowd.states().waited);
-  crowd.move({Action::West, Action::West}, crowd.states().svo_deg);
-  crowd.move({Action::Stay, Action::Stay}, crowd.states().svo_deg);
-  EXPECT_EQ((std::vector<Action>{Action::Stay, Action::Stay}), crowd.states().last_moves);
-  EXPECT_FLOAT_EQ(sylph::svoByWaiting(4, 0.25F), crowd.states().svo_deg[1]);
+  TeamState team(instance, problem, {0.5F, 0.25F});
+  EXPECT_TRUE(team.isGreedy(0, Action::East));
+  EXPECT_FALSE(team.isGreedy(0, Action::West));
+  EXPECT_FALSE(team.isValid(0, Action::North));
+  EXPECT_FALSE(team.isGreedy(0, Action::Stay));
+  team.move({Action::West, Action::West}, team.states().svo_deg);
+  EXPECT_EQ((sylph::Configuration{{1, 1}, {1, 2}}), team.states().cells);
+  EXPECT_EQ(instance.starts, team.before());
+  EXPECT_EQ((std::vector<int>{2, 2}), team.states().waited);
+  team.move({Action::West, Action::West}, team.states().svo_deg);
+  team.move({Action::Stay, Action::Stay}, team.states().svo_deg);
+  EXPECT_EQ((std::vector<Action>{Action::Stay, Action::Stay}), team.states().last_moves);
+  EXPECT_FLOAT_EQ(sylph::svoByWaiting(4, 0.25F), team.states().svo_deg[1]);
 }
 
 TEST(ReactiveTeacherTest, WhoIsMoreProsocialBacksOut) {
   const sylph::Instance instance = corridor();
   const sylph::SearchProblem problem(instance);
   sylph::Rng rng(1);
-  const Crowd crowd(instance, problem, {0.F, 0.F});
+  const TeamState team(instance, problem, {0.F, 0.F});
   ReactiveTeacher teacher(problem, rng);
   EXPECT_EQ((std::vector<Action>{Action::East, Action::East}),
-            teacher.desiredActions(crowd, {5.F, 40.F}));
+            teacher.desiredActions(team, {5.F, 40.F}));
 }
 
 TEST(ReactiveTeacherTest, SolvesDenseWorldsInTheOrderOfWaiting) {
@@ -66,13 +66,13 @@ TEST(ReactiveTeacherTest, SolvesDenseWorldsInTheOrderOfWaiting) {
     for (int agent = 0; agent < instance.agentCount(); ++agent) {
       tie_breaks.push_back(static_cast<float>(sylph::drawFraction(rng)));
     }
-    Crowd crowd(instance, problem, tie_breaks);
+    TeamState team(instance, problem, tie_breaks);
     ReactiveTeacher teacher(problem, rng);
-    for (int step = 0; step < 300 && !crowd.isSolved(); ++step) {
-      const std::vector<float> svo_deg = crowd.states().svo_deg;
-      crowd.move(teacher.desiredActions(crowd, svo_deg), svo_deg);
+    for (int step = 0; step < 300 && !team.isSolved(); ++step) {
+      const std::vector<float> svo_deg = team.states().svo_deg;
+      team.move(teacher.desiredActions(team, svo_deg), svo_deg);
     }
-    solved += crowd.isSolved() ? 1 : 0;
+    solved += team.isSolved() ? 1 : 0;
   }
   EXPECT_GE(solved, kWorlds * 3 / 4);
 }
@@ -81,14 +81,14 @@ TEST(ReactiveTeacherTest, APolicysTasteDecidesBetweenEquallyShortMoves) {
   const sylph::Instance instance{sylph::Grid(3, 3), {{0, 0}}, {{2, 2}}, {}};
   const sylph::SearchProblem problem(instance);
   sylph::Rng rng(1);
-  const Crowd crowd(instance, problem, {0.F});
+  const TeamState team(instance, problem, {0.F});
   ReactiveTeacher teacher(problem, rng);
   for (const Action favourite : {Action::East, Action::South}) {
     sylph::AgentRows logits = sylph::AgentRows::Zero(1, sylph::kActionCount);
     logits(0, static_cast<Eigen::Index>(favourite)) = 6.F;
     logits(0, static_cast<Eigen::Index>(Action::Stay)) = 9.F;  // no shorter: does not count
     EXPECT_EQ(std::vector<Action>{favourite},
-              teacher.desiredActions(crowd, crowd.states().svo_deg, &logits));
+              teacher.desiredActions(team, team.states().svo_deg, &logits));
   }
 }
 
@@ -126,7 +126,7 @@ TEST(ReactiveScenesTest, HaveTheVotesOfFourDrawsWhoeverLeads) {
 TEST(DrawDesiredActionsTest, AreDrawnFromTheLogitsAndHitNoObstacle) {
   const sylph::Instance instance = corridor();
   const sylph::SearchProblem problem(instance);
-  const Crowd crowd(instance, problem, {0.F, 0.F});
+  const TeamState team(instance, problem, {0.F, 0.F});
   sylph::AgentRows logits = sylph::AgentRows::Zero(2, sylph::kActionCount);
   logits(0, static_cast<Eigen::Index>(Action::North)) = 100.F;  // an obstacle
   logits(0, static_cast<Eigen::Index>(Action::East)) = 1.F;
@@ -134,8 +134,8 @@ TEST(DrawDesiredActionsTest, AreDrawnFromTheLogitsAndHitNoObstacle) {
   int east = 0;
   constexpr int kDraws = 4000;
   for (int draw = 0; draw < kDraws; ++draw) {
-    const Action desired = drawDesiredActions(crowd, logits, 1.0, rng)[0];
-    ASSERT_TRUE(crowd.isValid(0, desired));
+    const Action desired = drawDesiredActions(team, logits, 1.0, rng)[0];
+    ASSERT_TRUE(team.isValid(0, desired));
     east += desired == Action::East ? 1 : 0;
   }
   const double expected = std::exp(1.0) / (std::exp(1.0) + 2.0);    // beside Stay and West

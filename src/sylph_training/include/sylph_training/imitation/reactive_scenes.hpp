@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "sylph_core/policy/policy.hpp"
-#include "sylph_training/imitation/crowd.hpp"
 #include "sylph_training/imitation/shards.hpp"
+#include "sylph_training/imitation/team_state.hpp"
 
 namespace sylph_training {
 
@@ -47,7 +47,7 @@ SceneSource studentLedScenes(std::shared_ptr<const sylph::Policy> policy,
 /// One draw for each agent from the softmax of its logits / temperature over the actions that hit
 /// nothing.
 /// @param logits  n x 5
-std::vector<sylph::Action> drawDesiredActions(const Crowd& crowd, const sylph::AgentRows& logits,
+std::vector<sylph::Action> drawDesiredActions(const TeamState& team, const sylph::AgentRows& logits,
                                               double temperature, sylph::Rng& rng);
 
 }  // namespace sylph_training

@@ -6,7 +6,7 @@
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/policy/network.hpp"
 #include "sylph_core/search/pibt.hpp"
-#include "sylph_training/imitation/crowd.hpp"
+#include "sylph_training/imitation/team_state.hpp"
 
 namespace sylph_training {
 
@@ -22,17 +22,18 @@ class ReactiveTeacher {
   /// @param problem, rng  must outlive this object
   ReactiveTeacher(const sylph::SearchProblem& problem, sylph::Rng& rng);
 
-  /// @param crowd    of the same problem
+  /// @param team    of the same problem
   /// @param svo_deg  that tells the order, one per agent [deg]
   /// @param logits   n x 5: what a policy prefers among equally short moves; nullptr: nothing
-  std::vector<sylph::Action> desiredActions(const Crowd& crowd, const std::vector<float>& svo_deg,
+  std::vector<sylph::Action> desiredActions(const TeamState& team,
+                                            const std::vector<float>& svo_deg,
                                             const sylph::AgentRows* logits = nullptr);
 
  private:
   class Ranking : public sylph::MoveRanking {
    public:
     Ranking(const sylph::SearchProblem& problem, sylph::Rng& rng);
-    void prepare(const Crowd& crowd, const sylph::AgentRows* logits);
+    void prepare(const TeamState& team, const sylph::AgentRows* logits);
     void rank(sylph::AgentId agent, sylph::VertexId at, const sylph::Occupants& occupied_now,
               sylph::Moves& moves) override;
 

@@ -1,4 +1,4 @@
-#include "sylph_training/imitation/crowd.hpp"
+#include "sylph_training/imitation/team_state.hpp"
 
 #include <utility>
 
@@ -10,8 +10,8 @@ namespace sylph_training {
 using sylph::Action;
 using sylph::AgentId;
 
-Crowd::Crowd(const sylph::Instance& instance, const sylph::SearchProblem& problem,
-             std::vector<float> tie_breaks)
+TeamState::TeamState(const sylph::Instance& instance, const sylph::SearchProblem& problem,
+                     std::vector<float> tie_breaks)
     : instance_(&instance), problem_(&problem), before_(instance.starts) {
   states_.cells = instance.starts;
   states_.last_moves.assign(instance.starts.size(), Action::Stay);
@@ -21,20 +21,20 @@ Crowd::Crowd(const sylph::Instance& instance, const sylph::SearchProblem& proble
   updateSvo();
 }
 
-bool Crowd::isHome(AgentId agent) const {
+bool TeamState::isHome(AgentId agent) const {
   const auto index = static_cast<std::size_t>(agent);
   return states_.cells[index] == instance_->goals[index];
 }
 
-bool Crowd::isSolved() const {
+bool TeamState::isSolved() const {
   return states_.cells == instance_->goals;
 }
 
-bool Crowd::isValid(AgentId agent, Action action) const {
+bool TeamState::isValid(AgentId agent, Action action) const {
   return instance_->grid.isFree(neighbor(states_.cells[static_cast<std::size_t>(agent)], action));
 }
 
-bool Crowd::isGreedy(AgentId agent, Action action) const {
+bool TeamState::isGreedy(AgentId agent, Action action) const {
   if (isHome(agent)) {
     return action == Action::Stay;
   }
@@ -45,7 +45,7 @@ bool Crowd::isGreedy(AgentId agent, Action action) const {
   return isValid(agent, action) && distance(neighbor(cell, action)) < distance(cell);
 }
 
-void Crowd::move(const std::vector<Action>& desired, const std::vector<float>& svo_deg) {
+void TeamState::move(const std::vector<Action>& desired, const std::vector<float>& svo_deg) {
   const sylph::TieBreaking broken =
       breakTies(instance_->grid, instance_->motion, states_.cells, desired, svo_deg);
   before_ = states_.cells;
@@ -56,7 +56,7 @@ void Crowd::move(const std::vector<Action>& desired, const std::vector<float>& s
   updateSvo();
 }
 
-void Crowd::updateSvo() {
+void TeamState::updateSvo() {
   for (std::size_t agent = 0; agent < states_.cells.size(); ++agent) {
     states_.waited[agent] = isHome(static_cast<AgentId>(agent)) ? 0 : states_.waited[agent] + 1;
     states_.svo_deg[agent] = sylph::svoByWaiting(states_.waited[agent], states_.tie_breaks[agent]);

@@ -10,12 +10,12 @@
 namespace sylph_training {
 
 /// A team on its way, step by step, whose SVOs follow the rule of waiting.
-class Crowd {
+class TeamState {
  public:
   /// @param problem     of the instance; both must outlive this object
   /// @param tie_breaks  per agent, 0 ... 1
-  Crowd(const sylph::Instance& instance, const sylph::SearchProblem& problem,
-        std::vector<float> tie_breaks);
+  TeamState(const sylph::Instance& instance, const sylph::SearchProblem& problem,
+            std::vector<float> tie_breaks);
 
   const sylph::Instance& instance() const { return *instance_; }
   const sylph::SearchProblem& problem() const { return *problem_; }
