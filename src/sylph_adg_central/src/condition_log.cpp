@@ -1,17 +1,8 @@
 #include "sylph_adg_central/condition_log.hpp"
 
-#include <cstdio>
+#include "sylph_core/text/format.hpp"
 
 namespace sylph_adg_central {
-namespace {
-
-std::string seconds(double value_s) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f s", value_s);
-  return text;
-}
-
-}  // namespace
 
 std::optional<std::string> ConditionLog::note(int robot, sylph::RobotCondition condition,
                                               const std::string& reason, double now_s) {
@@ -72,10 +63,11 @@ std::string ConditionLog::summary(const Key& key, const Record& record) const {
   const std::string was = names_.at(static_cast<std::size_t>(key.first)) +
                           (record.is_now ? " has been " : " was ") + toString(key.second);
   if (record.times == 1) {
-    return was + " for " + seconds(record.total_s);
+    return was + " for " + sylph::format("%.1f s", record.total_s);
   }
   return was + " " + std::to_string(record.times) + " times within " +
-         seconds(record.last_s - record.first_s) + ", " + seconds(record.total_s) + " in all";
+         sylph::format("%.1f s", record.last_s - record.first_s) + ", " +
+         sylph::format("%.1f s", record.total_s) + " in all";
 }
 
 }  // namespace sylph_adg_central

@@ -1,18 +1,10 @@
 #include "sylph_core/adg/robot_monitor.hpp"
 
-#include <cstdio>
 #include <tuple>
 
+#include "sylph_core/text/format.hpp"
+
 namespace sylph {
-namespace {
-
-std::string seconds(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f s", value);
-  return text;
-}
-
-}  // namespace
 
 bool RobotMonitor::accept(const RobotReport& report, double now_s) {
   // By stamp first: a node that was started again counts from 1. A clock that was set back shows as
@@ -80,9 +72,9 @@ std::string RobotMonitor::trouble(double now_s) const {
     case RobotCondition::Ok:
       return {};
     case RobotCondition::Silent:
-      return report_ ? "no report for " + seconds(now_s - received_s_) : "no report yet";
+      return report_ ? "no report for " + format("%.1f s", now_s - received_s_) : "no report yet";
     case RobotCondition::Stuck:
-      return "no progress for " + seconds(now_s - progress_s_) + detail;
+      return "no progress for " + format("%.1f s", now_s - progress_s_) + detail;
     case RobotCondition::Blind:
       return "no good pose" + detail;
     case RobotCondition::Lost:

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <map>
 #include <sstream>
 #include <tuple>
 
 #include "sylph_core/benchmark/run_benchmark.hpp"
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
@@ -18,12 +18,6 @@ std::string outcomeOf(const BenchmarkRun& run) {
 double percentile(const std::vector<double>& sorted, double share) {
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
   return sorted[std::max<std::size_t>(rank, 1) - 1];
-}
-
-std::string formatted(const char* format, double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), format, value);
-  return text;
 }
 
 std::vector<std::string> summarize(const std::vector<const BenchmarkRun*>& runs) {
@@ -43,16 +37,16 @@ std::vector<std::string> summarize(const std::vector<const BenchmarkRun*>& runs)
   const auto solved = static_cast<double>(first_s.size());
   std::vector<std::string> cells = {
       std::to_string(runs.size()),
-      formatted("%.1f", 100.0 * solved / static_cast<double>(runs.size()))};
+      format("%.1f", 100.0 * solved / static_cast<double>(runs.size()))};
   if (first_s.empty()) {
     cells.insert(cells.end(), 4, "-");
     return cells;
   }
   std::sort(first_s.begin(), first_s.end());
-  cells.push_back(formatted("%.3f", percentile(first_s, 0.5)));
-  cells.push_back(formatted("%.3f", percentile(first_s, 0.95)));
-  cells.push_back(formatted("%.3f", cost_ratios / solved));
-  cells.push_back(formatted("%.1f", makespans / solved));
+  cells.push_back(format("%.3f", percentile(first_s, 0.5)));
+  cells.push_back(format("%.3f", percentile(first_s, 0.95)));
+  cells.push_back(format("%.3f", cost_ratios / solved));
+  cells.push_back(format("%.1f", makespans / solved));
   return cells;
 }
 

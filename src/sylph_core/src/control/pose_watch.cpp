@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <stdexcept>
 
 #include "sylph_core/geometry/segment.hpp"
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
@@ -18,12 +18,6 @@ constexpr double kClockRestart_s = 0.5;
 
 // Stamps of another machine may run a little ahead of this one's clock.
 constexpr double kStampAhead_s = 0.05;
-
-std::string text(const char* format, double value) {
-  char buffer[96];
-  std::snprintf(buffer, sizeof(buffer), format, value);
-  return buffer;
-}
 
 }  // namespace
 
@@ -88,9 +82,10 @@ bool PoseWatch::isSamePlace(const TimedPose& from, const TimedPose& to) const {
 
 PoseVerdict PoseWatch::reject(const TimedPose& pose, bool may_be_true) {
   ++rejected_;
-  rejection_ = text("pose jumped by %.2f m", distance(position(last_->pose), position(pose.pose))) +
-               text(" and %.0f deg",
-                    std::abs(shortestAngle(last_->pose.yaw_rad, pose.pose.yaw_rad)) * 180.0 / M_PI);
+  rejection_ =
+      format("pose jumped by %.2f m", distance(position(last_->pose), position(pose.pose))) +
+      format(" and %.0f deg",
+             std::abs(shortestAngle(last_->pose.yaw_rad, pose.pose.yaw_rad)) * 180.0 / M_PI);
   const bool is_same_place = other_place_ && isSamePlace(*other_place_, pose);
   consistent_ = is_same_place ? consistent_ + 1 : 1;
   is_confirmed_ = is_same_place && is_confirmed_;
@@ -144,14 +139,14 @@ std::optional<std::string> PoseWatch::problem(double now_s) const {
   }
   const double silence_s = now_s - last_->received_s;
   if (silence_s > options_.timeout_s) {
-    return text("no good pose for %.2f s", silence_s);
+    return format("no good pose for %.2f s", silence_s);
   }
   const double age_s = age(now_s);
   if (age_s > options_.timeout_s) {
-    return text("pose is %.2f s old by its stamp", age_s);
+    return format("pose is %.2f s old by its stamp", age_s);
   }
   if (age_s < -options_.timeout_s) {
-    return text("pose stamp is %.2f s ahead: check the clocks", -age_s);
+    return format("pose stamp is %.2f s ahead: check the clocks", -age_s);
   }
   if (unseen_travel_m_ > options_.frozen_m) {
     return "pose is frozen";

@@ -1,16 +1,11 @@
 #include "sylph_core/control/robot_supervisor.hpp"
 
 #include <cmath>
-#include <cstdio>
+
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
-
-std::string text(const char* format, double value) {
-  char buffer[128];
-  std::snprintf(buffer, sizeof(buffer), format, value);
-  return buffer;
-}
 
 RobotDecision stop(const RobotSituation& situation, const std::string& detail) {
   return {situation.has_task ? RobotState::Holding : RobotState::Idle, Permission::Stop, detail};
@@ -42,11 +37,12 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
     return stop(situation, "outside the cells of its task: put it back");
   }
   if (std::abs(situation.heading_error_rad) > limits.heading_correction_rad) {
-    return stop(situation, text("heading is %.0f deg off: turn it by hand",
-                                situation.heading_error_rad * 180.0 / M_PI));
+    return stop(situation, format("heading is %.0f deg off: turn it by hand",
+                                  situation.heading_error_rad * 180.0 / M_PI));
   }
   if (*situation.central_silence_s > limits.central_timeout_s) {
-    const std::string detail = text("central node silent for %.1f s", *situation.central_silence_s);
+    const std::string detail =
+        format("central node silent for %.1f s", *situation.central_silence_s);
     if (!situation.has_task || situation.has_finished_last_task) {
       return stop(situation, detail);
     }

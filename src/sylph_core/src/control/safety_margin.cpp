@@ -2,17 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <optional>
+
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
-
-std::string format(const char* pattern, double value) {
-  char text[64];
-  std::snprintf(text, sizeof(text), pattern, value);
-  return text;
-}
 
 /// Half the extent, along one axis of the grid, of a rectangle that is turned by up to `turn_rad`.
 double reachAlong(double along_m, double across_m, double turn_rad) {

@@ -1,10 +1,10 @@
 #include "sylph_core/mission/mission_lifecycle.hpp"
 
 #include <algorithm>
-#include <cstdio>
 #include <exception>
 
 #include "sylph_core/mission/replanning.hpp"
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
@@ -262,11 +262,10 @@ void MissionLifecycle::send(const CheckedPlan& plan, double now_s) {
   // The central node and the robots remember plans even when this program was started again.
   const std::uint32_t known = state_ ? std::max(state_->plan_id, state_->last_plan_id) : 0;
   plan_id_ = std::max(plan_id_, known) + 1;
-  char took[32];
-  std::snprintf(took, sizeof(took), "%.2f s", plan.planning_s);
   say(Level::Info, "plan " + std::to_string(plan_id_) + " by " + mission_.planner + ": " +
                        std::to_string(plan.metrics.steps) + " steps, sum of costs " +
-                       std::to_string(plan.metrics.sum_of_costs) + ", " + took);
+                       std::to_string(plan.metrics.sum_of_costs) + ", " +
+                       format("%.2f s", plan.planning_s));
   MissionPlan mission_plan = toMissionPlan(plan, planned_robots_, mission_.planner);
   mission_plan.plan_id = plan_id_;
   mission_plan.replaces_plan_id = replaces_plan_id_;

@@ -1,16 +1,11 @@
 #include "sylph_core/mission/progress.hpp"
 
 #include <algorithm>
-#include <cstdio>
+
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
-
-std::string seconds(double value) {
-  char text[32];
-  std::snprintf(text, sizeof(text), "%.1f s", value);
-  return text;
-}
 
 std::string conditionText(const RobotExecution& robot) {
   switch (robot.condition) {
@@ -28,7 +23,7 @@ std::string conditionText(const RobotExecution& robot) {
 }
 
 std::string waitingText(const RobotExecution& robot) {
-  std::string text = robot.robot + " waits " + seconds(robot.waited_s) + " for " +
+  std::string text = robot.robot + " waits " + format("%.1f s", robot.waited_s) + " for " +
                      robot.waits_for_robot + " to leave " + toString(robot.waits_for_cell);
   if (!robot.root_cause_robot.empty() && robot.root_cause_robot != robot.waits_for_robot) {
     text += "; held up by " + robot.root_cause_robot;
