@@ -1,6 +1,6 @@
 #include "sylph_training/imitation/demonstration.hpp"
 
-#include <time.h>  // clock_gettime() is POSIX
+#include <time.h>  // NOLINT(modernize-deprecated-headers): clock_gettime() is POSIX
 
 #include <algorithm>
 #include <numeric>

@@ -138,10 +138,10 @@ ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelS
   batch.svo_targets = torch::empty({samples, sylph::kSvoLevelCount});
   std::vector<std::int64_t> partners;
   partners.reserve(static_cast<std::size_t>(agents));
-  float* view = views.data_ptr<float>();
-  float* vector = batch.input.vectors.data_ptr<float>();
-  float* svo = batch.input.svo.data_ptr<float>();
-  float* target_svo = batch.svo_targets.data_ptr<float>();
+  auto* view = views.data_ptr<float>();
+  auto* vector = batch.input.vectors.data_ptr<float>();
+  auto* svo = batch.input.svo.data_ptr<float>();
+  auto* target_svo = batch.svo_targets.data_ptr<float>();
   std::int64_t row = 0;
   for (const Pick& pick : picks) {
     const Symmetry symmetry(pick.symmetry);
@@ -149,7 +149,7 @@ ImitationBatch makeBatch(const std::vector<Pick>& picks, int width, const LabelS
     for (const SceneAgent& agent : pick.store->agents(pick.scene)) {
       const auto image = symmetry.apply(agent.vector);
       vector = std::copy(image.begin(), image.end(), vector);
-      sylph::spreadOverLevels(kFrom_centideg * agent.svo_centideg, svo);
+      sylph::spreadOverLevels(kFrom_centideg * static_cast<float>(agent.svo_centideg), svo);
       svo += sylph::kSvoLevelCount;
       partners.push_back(first_agent + agent.partner);
     }

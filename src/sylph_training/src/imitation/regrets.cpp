@@ -19,6 +19,17 @@ VertexId neighborOf(const sylph::Graph& graph, VertexId vertex, sylph::Action ac
   return is_inside ? graph.vertexAt(cell) : sylph::kNoVertex;
 }
 
+/// How much dearer each action is than the best of them.
+Regrets regretsOf(const std::array<int, sylph::kActionCount>& costs) {
+  Regrets regrets{};
+  const int best = *std::min_element(costs.begin(), costs.end());
+  for (std::size_t action = 0; action < costs.size(); ++action) {
+    const int regret = std::min(costs[action] - best, static_cast<int>(kGreatestRegret));
+    regrets[action] = costs[action] == kNever ? kImpossible : static_cast<std::uint8_t>(regret);
+  }
+  return regrets;
+}
+
 }  // namespace
 
 /// Costs to come of the vertices round a center.
@@ -115,13 +126,7 @@ std::vector<Regrets> RegretTable::of(AgentId agent) const {
       const VertexId to = neighborOf(problem_->graph, at, action);
       costs[static_cast<std::size_t>(action)] = to == sylph::kNoVertex ? kNever : costOf(at, to);
     }
-    const int best = *std::min_element(costs.begin(), costs.end());
-    for (std::size_t action = 0; action < costs.size(); ++action) {
-      regrets[timestep][action] =
-          costs[action] == kNever ? kImpossible
-                                  : static_cast<std::uint8_t>(std::min(
-                                        costs[action] - best, static_cast<int>(kGreatestRegret)));
-    }
+    regrets[timestep] = regretsOf(costs);
     Window now(problem_->graph, at);
     now.fill([&](VertexId from) {
       int cost = isTaken(agent, timestep, from) ? kNever : costOf(from, from);

@@ -62,7 +62,8 @@ double Learner::step(long step, const torch::Tensor& loss) {
   if (step % settings_.average_every == 0) {
     const torch::NoGradGuard no_grad;
     // In the first steps the average forgets faster: it starts from weights that know nothing.
-    const double updates = static_cast<double>(step / settings_.average_every);
+    const auto whole_periods = step / settings_.average_every;
+    const auto updates = static_cast<double>(whole_periods);
     const double decay = std::min(settings_.average_decay, (1.0 + updates) / (10.0 + updates));
     const auto weights = model_->parameters();
     auto averages = average_->parameters();

@@ -16,7 +16,8 @@ namespace nn = torch::nn;
 constexpr std::int64_t kQuarterCells = 9;  // pixels after the last convolution
 
 nn::Conv2d convolution(int in, int out, int stride) {
-  return nn::Conv2d(nn::Conv2dOptions(in, out, 3).padding(1).stride(stride));
+  nn::Conv2d layer(nn::Conv2dOptions(in, out, 3).padding(1).stride(stride));
+  return layer;
 }
 
 // (rows, width) -> (rows, heads, width / heads)
@@ -217,7 +218,8 @@ torch::Tensor PolicyModelImpl::remember(const torch::Tensor& features,
                       torch::einsum("nhd,lhd->nhl", {query, place_keys}),
                   dot(query, split(semantic_->key->forward(own))).unsqueeze(2)},
                  2);
-  const double scale = std::sqrt(static_cast<double>(shape_.width / shape_.heads));
+  const int head_width = shape_.width / shape_.heads;
+  const double scale = std::sqrt(static_cast<double>(head_width));
   const torch::Tensor weight = torch::softmax(logits / scale, -1);
   const torch::Tensor token_weight = weight.narrow(2, 0, tokens);
   const torch::Tensor attended =

@@ -47,7 +47,9 @@ class Share {
     ++count_;
     hits_ += is_hit ? 1 : 0;
   }
-  double value() const { return count_ == 0 ? 0.0 : static_cast<double>(hits_) / count_; }
+  double value() const {
+    return count_ == 0 ? 0.0 : static_cast<double>(hits_) / static_cast<double>(count_);
+  }
   long count() const { return count_; }
 
  private:
@@ -61,7 +63,7 @@ class Mean {
     ++count_;
     sum_ += value;
   }
-  double value() const { return count_ == 0 ? 0.0 : sum_ / count_; }
+  double value() const { return count_ == 0 ? 0.0 : sum_ / static_cast<double>(count_); }
   long count() const { return count_; }
 
  private:

@@ -13,7 +13,7 @@ std::vector<float> generalizedAdvantages(const std::vector<float>& rewards,
                                 std::to_string(values.size()) + " values: must be as many");
   }
   std::vector<float> advantages(rewards.size());
-  double next_value = static_cast<double>(end_value);
+  auto next_value = static_cast<double>(end_value);
   double advantage = 0.0;
   for (std::size_t step = rewards.size(); step-- > 0;) {
     const auto value = static_cast<double>(values[step]);

@@ -199,6 +199,7 @@ void RolloutCollector::recordState(const Decision& decision,
     }
   }
   std::vector<std::int64_t> chosen;
+  chosen.reserve(actions.size());
   for (const sylph::Action action : actions) {
     chosen.push_back(static_cast<std::int64_t>(action));
   }
@@ -218,7 +219,7 @@ void RolloutCollector::recordState(const Decision& decision,
 
 // What collided counts as invalid too, as in the authors' code.
 void RolloutCollector::recordStep(const BatchStep& step, const std::vector<sylph::Action>& actions,
-                                  Rollout& part) const {
+                                  Rollout& part) {
   auto valid = part.valid.accessor<float, 2>();
   for (std::size_t row = 0; row < actions.size(); ++row) {
     if (step.is_penalized[row]) {

@@ -197,7 +197,7 @@ void EnvironmentBatch::stepWorld(int index, const sylph::Action* desired,
 }
 
 void EnvironmentBatch::chooseSvo(World& world, std::size_t agent, const float* probabilities,
-                                 StepSvo& svo, BatchStep& step) {
+                                 StepSvo& svo, BatchStep& step) const {
   const auto id = static_cast<sylph::AgentId>(agent);
   int& level = world.levels[agent];
   SvoDistribution distribution = certainly(level);

@@ -63,6 +63,7 @@ TEST(ReactiveTeacherTest, SolvesDenseWorldsInTheOrderOfWaiting) {
     const sylph::Instance instance = dense(rng);
     const sylph::SearchProblem problem(instance);
     std::vector<float> tie_breaks;
+    tie_breaks.reserve(instance.starts.size());
     for (int agent = 0; agent < instance.agentCount(); ++agent) {
       tie_breaks.push_back(static_cast<float>(sylph::drawFraction(rng)));
     }

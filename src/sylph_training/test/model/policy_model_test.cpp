@@ -19,6 +19,7 @@ void expectSameOutputs(const sylph::NetworkShape& shape, int agents, int threads
   const torch::NoGradGuard no_grad;
   sylph::Rng rng(static_cast<unsigned>(agents));
   std::vector<std::int64_t> partners;
+  partners.reserve(static_cast<std::size_t>(agents));
   for (int agent = 0; agent < agents; ++agent) {
     partners.push_back(
         static_cast<std::int64_t>(sylph::drawIndex(rng, static_cast<std::size_t>(agents))));

@@ -36,6 +36,7 @@ pid_t start(const std::vector<std::string>& arguments, const std::string& output
       _exit(126);
     }
     std::vector<char*> argv;
+    argv.reserve(arguments.size() + 1);
     for (const std::string& argument : arguments) {
       argv.push_back(const_cast<char*>(argument.c_str()));
     }

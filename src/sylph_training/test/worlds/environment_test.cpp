@@ -153,9 +153,7 @@ void expectRewards(const sylph::Instance& world, const Configuration& before,
   for (std::size_t i = 0; i < after.size(); ++i) {
     if (outcome.is_penalized[i]) {
       external.push_back(-2.0);
-    } else if (before[i] != after[i]) {
-      external.push_back(-0.3);
-    } else if (after[i] != world.goals[i]) {
+    } else if (before[i] != after[i] || after[i] != world.goals[i]) {
       external.push_back(-0.3);
     } else {
       external.push_back(-1.0 * literalBlockedCount(world, after, i, 10));

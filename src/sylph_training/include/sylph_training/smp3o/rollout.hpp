@@ -62,8 +62,8 @@ class RolloutCollector {
   std::vector<sylph::Action> drawActions(const torch::Tensor& probabilities);
   void recordState(const Decision& decision, const std::vector<sylph::Action>& actions,
                    Rollout& part) const;
-  void recordStep(const BatchStep& step, const std::vector<sylph::Action>& actions,
-                  Rollout& part) const;
+  static void recordStep(const BatchStep& step, const std::vector<sylph::Action>& actions,
+                         Rollout& part);
   void closePieces(PolicyModel& model, const BatchStep& outcome, bool is_last, Pieces& pieces);
   void carryMemory(const std::vector<std::int64_t>& carried_rows);
 

@@ -115,7 +115,7 @@ class EnvironmentBatch {
   void start(World& world);
   void showProsocialOnGoal(World& world) const;
   void chooseSvo(World& world, std::size_t agent, const float* probabilities, StepSvo& svo,
-                 BatchStep& step);
+                 BatchStep& step) const;
   void stepWorld(int index, const sylph::Action* desired, const float* svo_probabilities,
                  BatchStep& step);
   void countRows();
