@@ -39,13 +39,16 @@ std::size_t editDistance(const std::string& a, const std::string& b) {
 std::vector<std::string> nearestNames(const std::string& name,
                                       const std::vector<std::string>& existing, std::size_t most) {
   std::vector<std::pair<std::size_t, std::string>> ranked;
+  ranked.reserve(existing.size());
   for (const std::string& candidate : existing) {
     ranked.emplace_back(editDistance(skeletonOf(name), skeletonOf(candidate)), candidate);
   }
   std::sort(ranked.begin(), ranked.end());
+  ranked.resize(std::min(most, ranked.size()));
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < std::min(most, ranked.size()); ++i) {
-    names.push_back(ranked[i].second);
+  names.reserve(ranked.size());
+  for (const auto& [distance, candidate] : ranked) {
+    names.push_back(candidate);
   }
   return names;
 }
