@@ -48,7 +48,7 @@ inline std::string errorOf(const std::function<void()>& work) {
   try {
     work();
   } catch (const std::runtime_error& error) {
-    const std::string message = error.what();
+    std::string message = error.what();
     EXPECT_EQ(std::string::npos, message.find('\n')) << message;
     return message;
   }
