@@ -108,7 +108,7 @@ class ClosedLoop {
     sent.x_mps = std::round(sent.x_mps / unit) * unit;
     sent.y_mps = std::round(sent.y_mps / unit) * unit;
     sent.turn_radps = std::round(sent.turn_radps / unit) * unit;
-    sent_.push_back({time_s_ + plant_.command_delay_s, sent});
+    sent_.emplace_back(time_s_ + plant_.command_delay_s, sent);
   }
 
   void moveBase(DriveRecord& record) {
@@ -139,7 +139,7 @@ class ClosedLoop {
     seen.x_m += plant_.noise_m * drawNormal(rng_);
     seen.y_m += plant_.noise_m * drawNormal(rng_);
     seen.yaw_rad += plant_.yaw_noise_rad * drawNormal(rng_);
-    seen_.push_back({time_s_, seen});
+    seen_.emplace_back(time_s_, seen);
     while (!seen_.empty() && seen_.front().first + plant_.camera_delay_s <= time_s_) {
       captured_s_ = seen_.front().first;
       captured_ = seen_.front().second;
