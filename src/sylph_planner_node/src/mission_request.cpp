@@ -4,6 +4,7 @@
 #include <cmath>
 #include <exception>
 
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/mission/goal_judge.hpp"
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_planner_node/mission_text.hpp"
@@ -80,6 +81,10 @@ std::shared_ptr<const sylph::Policy> Weights::of(const std::string& planner) {
     policy_ = sylph::loadPolicyFor(planner, path_);
   }
   return policy_;
+}
+
+double bystanderDistance(const sylph::Experiment& lab) {
+  return lab.cell_size_m / 2.0 - startLimits(lab).room_m;
 }
 
 sylph::Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab,

@@ -2,12 +2,12 @@
 
 #include <chrono>
 #include <exception>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_planner_node/mission_messages.hpp"
 #include "sylph_planner_node/occupancy_grid.hpp"
 #include "sylph_ros/experiment.hpp"
@@ -23,8 +23,7 @@ sylph::MissionLimits limitsOf(const Options& options, const sylph::Experiment& l
   sylph::MissionLimits limits = options.limits;
   limits.pose_wait_s *= speed;
   limits.central_wait_s *= speed;
-  // As the central node has it, which would refuse the plan.
-  limits.bystander_distance_m = lab.cell_size_m / 2.0 - startLimits(lab).room_m;
+  limits.bystander_distance_m = bystanderDistance(lab);
   return limits;
 }
 
@@ -49,6 +48,7 @@ PlannerNode::PlannerNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
           nh_, sylph_ros::kAdgStateTopic, 10,
           [this](const sylph_msgs::AdgState& state) { onAdgState(state); })),
       server_(nh_, sylph_ros::kExecuteMissionAction, false),
+      plan_server_(nh_, options_, lab_, weights_, clock_),
       diagnostics_(nh_, private_nh) {
   // Weights of no use are refused now rather than with the first mission.
   weights_.of(lab_.planning.planner);
@@ -69,7 +69,12 @@ void PlannerNode::onGoal() {
   try {
     sylph::Mission wanted = readMission(*goal, lab_, weights_);
     wanted.search_steps_per_s = options_.search_steps_per_s;
-    lifecycle_.begin(std::move(wanted), clock_.now());
+    std::optional<sylph::CheckedPlan> shown;
+    if (goal->shown_plan_id != 0) {
+      shown = plan_server_.planOf(goal->shown_plan_id, wanted);
+    }
+    plan_server_.withdraw();
+    lifecycle_.begin(std::move(wanted), clock_.now(), std::move(shown));
     const sylph::Mission& mission = lifecycle_.mission();
     map_ = toOccupancyGrid(mission.grid, mission.cell_size_m, mission.corner);
     publishMap();
@@ -107,6 +112,7 @@ void PlannerNode::tick() {
     ROS_ERROR("%s", error->c_str());
   }
   const double now_s = clock_.now();
+  plan_server_.tick(lifecycle_.stage() != sylph::MissionLifecycle::Stage::Idle);
   if (planning_.valid() &&
       planning_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
     lifecycle_.onPlanned(planning_.get(), now_s);

@@ -16,6 +16,7 @@
 #include "sylph_planner_node/mission_request.hpp"
 #include "sylph_planner_node/mode_caller.hpp"
 #include "sylph_planner_node/options.hpp"
+#include "sylph_planner_node/plan_server.hpp"
 #include "sylph_planner_node/pose_listener.hpp"
 #include "sylph_ros/steady_clock.hpp"
 
@@ -69,6 +70,7 @@ class PlannerNode {
   ros::Publisher map_publisher_;
   ros::Subscriber adg_state_subscriber_;
   Server server_;
+  PlanServer plan_server_;
   diagnostic_updater::Updater diagnostics_;
   sylph_ros::Timer map_timer_;
   sylph_ros::Timer tick_timer_;

@@ -16,6 +16,11 @@ constexpr char kSuiteNamespace[] = "sylph";
 // In the suite's namespace.
 /// sylph_msgs/ExecuteMission: an operator's mission, to the planner.
 constexpr char kExecuteMissionAction[] = "execute_mission";
+/// sylph_msgs/ExecuteMission: as above, but the plan is made, checked and shown, and nothing moves.
+constexpr char kPlanMissionAction[] = "plan_mission";
+/// sylph_msgs/JointActions, latched: the plan that was made to be looked at; `plan_id` is its
+/// number among those, 0: none. No robot is moved by it.
+constexpr char kShownPlanTopic[] = "shown_plan";
 /// sylph_msgs/JointActions, latched: a plan, from the planner to the central node.
 constexpr char kJointActionsTopic[] = "joint_actions";
 /// sylph_msgs/AdgState: from the central node to everybody.
