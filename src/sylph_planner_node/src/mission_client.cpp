@@ -45,6 +45,12 @@ std::optional<std::filesystem::file_time_type> timeOf(const std::filesystem::pat
   return error ? std::nullopt : std::make_optional(time);
 }
 
+std::string headlineOf(const sylph::Experiment& experiment) {
+  return "experiment " + experiment.name + ": " + std::to_string(experiment.robots.size()) +
+         " robots, seed " + std::to_string(experiment.seed) + ", planner " +
+         experiment.planning.planner;
+}
+
 std::chrono::steady_clock::duration seconds(double value) {
   return std::chrono::duration_cast<std::chrono::steady_clock::duration>(
       std::chrono::duration<double>(value));
@@ -67,22 +73,31 @@ ClientOptions readClientOptions(sylph_ros::ParameterReader& reader) {
 }
 
 MissionClient::MissionClient(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
+    : MissionClient(nh, sylph_ros::readStrictly(private_nh, readClientOptions),
+                    sylph_ros::loadExperiment(nh), {}, "") {
+  mission_ = sylph_ros::toGoal(experiment_);
+  headline_ = headlineOf(experiment_);
+  joinLockStep();
+}
+
+MissionClient::MissionClient(const ros::NodeHandle& nh, const ClientOptions& options,
+                             sylph::Experiment lab, sylph_msgs::ExecuteMissionGoal mission,
+                             std::string headline)
     : nh_(nh),
-      options_(sylph_ros::readStrictly(private_nh, readClientOptions)),
-      experiment_(sylph_ros::loadExperiment(nh)),
+      options_(options),
+      experiment_(std::move(lab)),
+      mission_(std::move(mission)),
+      headline_(std::move(headline)),
       client_(nh_, sylph_ros::kExecuteMissionAction, false),
       diagnostics_subscriber_(
           nh_.subscribe("/diagnostics", 10, &MissionClient::onDiagnostics, this)) {
-  joinLockStep();
   // The planner refuses such weights too, but nobody would hear of it before the time-out.
   sylph::loadPolicyFor(experiment_.planning.planner, experiment_.planning.weights_path);
 }
 
 bool MissionClient::run() {
   const Clock::time_point deadline = Clock::now() + seconds(options_.start_timeout_s);
-  say("experiment " + experiment_.name + ": " + std::to_string(experiment_.robots.size()) +
-      " robots, seed " + std::to_string(experiment_.seed) + ", planner " +
-      experiment_.planning.planner);
+  say(headline_);
   waitForServer(deadline);
   if (!lock_step_) {
     waitForPoses(deadline);  // in lock step none come before the mission is there
@@ -114,7 +129,13 @@ void MissionClient::joinLockStep() {
 }
 
 void MissionClient::waitForServer(Clock::time_point deadline) {
+  Clock::time_point next_word = Clock::now() + seconds(options_.progress_period_s);
   while (ros::ok() && !client_.isServerConnected()) {
+    if (Clock::now() > next_word) {
+      say("waiting for the planner: nobody serves the action " +
+          nh_.resolveName(sylph_ros::kExecuteMissionAction) + " yet");
+      next_word += seconds(options_.progress_period_s);
+    }
     if (Clock::now() > deadline) {
       throw std::runtime_error("no planner: nobody serves the action " +
                                nh_.resolveName(sylph_ros::kExecuteMissionAction));
@@ -193,7 +214,7 @@ const std::vector<std::string>& MissionClient::unreachableNodes() {
 void MissionClient::sendMission() {
   printed_at_ = Clock::now();
   client_.sendGoal(
-      sylph_ros::toGoal(experiment_), Client::SimpleDoneCallback(), [this] { is_accepted_ = true; },
+      mission_, Client::SimpleDoneCallback(), [this] { is_accepted_ = true; },
       [this](const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) { onFeedback(feedback); });
 }
 
@@ -223,7 +244,7 @@ void MissionClient::waitForResult() {
 }
 
 void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback) {
-  const std::string text = progressText(*feedback, experiment_.robots.size());
+  const std::string text = progressText(*feedback, mission_.robots.size());
   const std::string headline = text.substr(0, text.find(':'));
   if (headline == last_headline_ &&
       Clock::now() - printed_at_ < seconds(options_.progress_period_s)) {

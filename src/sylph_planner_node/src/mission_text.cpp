@@ -41,4 +41,22 @@ std::string joinNames(const std::vector<std::string>& names) {
   return text;
 }
 
+std::string waysText(const sylph::MissionPlan& plan) {
+  std::ostringstream text;
+  for (std::size_t robot = 0; robot < plan.robots.size(); ++robot) {
+    std::size_t moves = 0;
+    std::size_t arrival = 0;
+    for (std::size_t step = 1; step < plan.plan.size(); ++step) {
+      if (plan.plan[step][robot] != plan.plan[step - 1][robot]) {
+        ++moves;
+        arrival = step;
+      }
+    }
+    text << "  " << plan.robots[robot] << " " << plan.plan.front()[robot] << " to "
+         << plan.goals[robot] << ": " << moves << (moves == 1 ? " move" : " moves")
+         << ", arrives at step " << arrival << "\n";
+  }
+  return text.str();
+}
+
 }  // namespace sylph_planner_node

@@ -1,6 +1,9 @@
 #include "sylph_ros/missions.hpp"
 
+#include <actionlib_msgs/GoalStatus.h>
 #include <sylph_msgs/ExecuteMissionResult.h>
+
+#include <algorithm>
 
 #include "sylph_ros/conversions.hpp"
 
@@ -20,6 +23,15 @@ sylph_msgs::ExecuteMissionGoal toGoal(const sylph::Experiment& experiment) {
   goal.time_limit_s = experiment.planning.time_limit_s;
   goal.seed = experiment.seed;
   return goal;
+}
+
+bool isUnderWay(const actionlib_msgs::GoalStatusArray& status) {
+  using actionlib_msgs::GoalStatus;
+  return std::any_of(
+      status.status_list.begin(), status.status_list.end(), [](const GoalStatus& goal) {
+        return goal.status == GoalStatus::PENDING || goal.status == GoalStatus::ACTIVE ||
+               goal.status == GoalStatus::PREEMPTING;
+      });
 }
 
 std::string outcomeName(std::uint8_t outcome) {

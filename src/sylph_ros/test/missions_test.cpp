@@ -1,5 +1,6 @@
 #include "sylph_ros/missions.hpp"
 
+#include <actionlib_msgs/GoalStatus.h>
 #include <gtest/gtest.h>
 #include <sylph_msgs/ExecuteMissionResult.h>
 
@@ -30,6 +31,21 @@ TEST(ToGoalTest, AsksForAllRobotsOfTheExperiment) {
   EXPECT_EQ("pibt", goal.planner);
   EXPECT_DOUBLE_EQ(1.5, goal.time_limit_s);
   EXPECT_EQ(7U, goal.seed);
+}
+
+TEST(IsUnderWayTest, LooksForAGoalThatHasNotEnded) {
+  actionlib_msgs::GoalStatusArray status;
+  EXPECT_FALSE(isUnderWay(status));
+  status.status_list.resize(2);
+  status.status_list[0].status = actionlib_msgs::GoalStatus::SUCCEEDED;
+  status.status_list[1].status = actionlib_msgs::GoalStatus::ABORTED;
+  EXPECT_FALSE(isUnderWay(status));
+  for (const std::uint8_t state :
+       {actionlib_msgs::GoalStatus::PENDING, actionlib_msgs::GoalStatus::ACTIVE,
+        actionlib_msgs::GoalStatus::PREEMPTING}) {
+    status.status_list[1].status = state;
+    EXPECT_TRUE(isUnderWay(status)) << int(state);
+  }
 }
 
 TEST(OutcomeNameTest, NamesEachOutcome) {

@@ -34,11 +34,16 @@ struct ClientOptions {
 /// @throws std::runtime_error on a mistyped or forbidden value
 ClientOptions readClientOptions(sylph_ros::ParameterReader& reader);
 
-/// Sends the mission of an experiment, tells the operator how it goes and how it ended.
+/// Sends a mission, tells the operator how it goes and how it ended.
 class MissionClient {
  public:
+  /// The mission of the lab's experiment, which begins with it.
   /// @throws std::runtime_error on a bad parameter, experiment or weight file
   MissionClient(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh);
+  /// A mission for a lab that runs.
+  /// @param headline  what it is, the first thing that is said
+  MissionClient(const ros::NodeHandle& nh, const ClientOptions& options, sylph::Experiment lab,
+                sylph_msgs::ExecuteMissionGoal mission, std::string headline);
 
   /// Runs the whole mission. Callbacks must be served by another thread.
   /// @return whether all robots have arrived
@@ -72,6 +77,8 @@ class MissionClient {
   ros::NodeHandle nh_;
   ClientOptions options_;
   sylph::Experiment experiment_;
+  sylph_msgs::ExecuteMissionGoal mission_;
+  std::string headline_;
   Client client_;
   ros::Subscriber diagnostics_subscriber_;
   std::shared_ptr<sylph_ros::LockStep> lock_step_;  ///< null unless the lab is in lock step

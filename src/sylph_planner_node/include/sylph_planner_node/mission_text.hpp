@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "sylph_core/execution/mission_plan.hpp"
+
 /// What sylph_mission tells the operator.
 namespace sylph_planner_node {
 
@@ -18,5 +20,8 @@ std::string resultText(const sylph_msgs::ExecuteMissionResult& result);
 
 /// Names joined by ", ", e.g. of the robots that are waited for.
 std::string joinNames(const std::vector<std::string>& names);
+
+/// One line per robot: from where to where, how many moves, when it arrives.
+std::string waysText(const sylph::MissionPlan& plan);
 
 }  // namespace sylph_planner_node

@@ -13,8 +13,8 @@ namespace sylph {
 /// Who stands on a cell or wants it: the name of a robot.
 using CellOwners = std::map<Cell, std::string>;
 
-/// Says whether a robot can be sent to a cell, and why not. The one judge of goals: of those of a
-/// request, of the shell's and of the mouse's.
+/// Says whether a robot can be sent to a cell, and why not. The one judge of goals, of those of a
+/// request as well as of those that somebody is about to set.
 class GoalJudge {
  public:
   /// @param bystanders  cells on the map that robots without part in the mission touch
