@@ -128,7 +128,7 @@ TEST(RehearsalTest, NamesWhyThereIsNoPlan) {
   experiment.grid.setObstacle(experiment.robots[1].goal);
   const Rehearsal run = rehearse(experiment, {}, nullptr);
   EXPECT_EQ(Ending::Stopped, run.ending);
-  EXPECT_NE(std::string::npos, run.cause.find("of robot_1 cannot be reached")) << run.cause;
+  EXPECT_NE(std::string::npos, run.cause.find("of robot_1 lies on an obstacle")) << run.cause;
 }
 
 TEST(RehearsalTest, NamesTheOptionThatIsOutOfItsBounds) {
