@@ -94,12 +94,19 @@ PoseVerdict PoseWatch::reject(const TimedPose& pose, bool may_be_true) {
     return PoseVerdict::Jumped;
   }
   if (!may_be_true && !is_confirmed_) {
-    rejection_ += ": put the cameras right, or stop and resume to believe it";
+    rejection_ += ": put the cameras right, or stop, look at it and confirm its pose";
     return PoseVerdict::Jumped;
   }
   take(pose);
   good_ = options_.good_poses;
   return PoseVerdict::Recovered;
+}
+
+std::optional<Pose2d> PoseWatch::placeToConfirm() const {
+  if (!other_place_ || consistent_ < options_.consistent_poses) {
+    return std::nullopt;
+  }
+  return other_place_->pose;
 }
 
 bool PoseWatch::looksFrozen(const TimedPose& pose) const {

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "sylph_core/control/time_jump.hpp"
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
@@ -146,13 +147,31 @@ void RobotController::onCentralState(const CentralState& state, double now_s) {
   if (is_late) {
     return;
   }
-  if (central_.mode == ExecutionMode::Stop && state.mode == ExecutionMode::Run) {
-    watch_.confirm();  // the operator has resumed
-    motion_.confirm();
-  }
   central_ = state;
   central_heard_s_ = now_s;
   emergency_.onCentralMode(state.mode);
+}
+
+PoseConfirmation RobotController::confirmPose(double now_s) {
+  if (!central_heard_s_ || central_.mode != ExecutionMode::Stop) {
+    return {false, "stop first: a robot whose pose is confirmed may drive on at once"};
+  }
+  if (const std::optional<Pose2d> place = watch_.placeToConfirm()) {
+    watch_.confirm();
+    motion_.confirm();
+    return {true, format("its pose is confirmed: %.3f m, ", place->x_m) +
+                      format("%.3f m, ", place->y_m) +
+                      format("%.0f deg, in ", place->yaw_rad * 180.0 / M_PI) +
+                      toString(frame_.toCell(position(*place)))};
+  }
+  if (const std::optional<std::string> problem = watch_.problem(now_s)) {
+    return {false, "there is no pose to confirm: " + *problem};
+  }
+  if (motion_.problem()) {
+    motion_.confirm();
+    return {true, "it is confirmed that its pose moves as it is driven"};
+  }
+  return {false, "nothing is wrong with its pose"};
 }
 
 bool RobotController::isDisplaced() const {

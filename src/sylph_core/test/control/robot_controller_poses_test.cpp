@@ -61,18 +61,18 @@ TEST(RobotControllerTest, ARobotCarriedAwayHoldsUntilItIsPutBack) {
   world.camera_offset.y_m = 0.5;
   world.run(0.5);
   EXPECT_EQ(RobotState::Blind, world.report().state);
-  world.stopAndResume();
+  EXPECT_TRUE(world.stopConfirmAndResume().is_confirmed);
   EXPECT_EQ(RobotState::Holding, world.report().state);
   EXPECT_NE(std::string::npos, world.report().detail.find("put it back"));
   world.loseSightFor(0.3);
   world.camera_offset.y_m = 0.0;
   world.run(0.3);
-  world.stopAndResume();
+  EXPECT_TRUE(world.stopConfirmAndResume().is_confirmed);
   world.run(4.0);
   EXPECT_EQ(2, world.report().done);
 }
 
-TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
+TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyWhenTheOperatorConfirmsIt) {
   RobotWorld world({2, 0});
   world.run(0.2);
   world.sendEastward(2);
@@ -81,12 +81,36 @@ TEST(RobotControllerTest, AJumpOfThePoseIsBelievedOnlyAfterStopAndResume) {
   world.run(2.0);
   EXPECT_EQ(RobotState::Blind, world.report().state);
   EXPECT_DOUBLE_EQ(0.0, world.speedNow());
-  world.mode = ExecutionMode::Stop;
-  world.run(0.5);
+  world.stopAndResume();  // for another robot's sake
   EXPECT_EQ(RobotState::Blind, world.report().state);
-  world.mode = ExecutionMode::Run;
-  world.run(0.5);
+  const PoseConfirmation confirmation = world.stopConfirmAndResume();
+  EXPECT_TRUE(confirmation.is_confirmed);
+  EXPECT_NE(std::string::npos, confirmation.message.find("0 deg, in (2,1)"))
+      << confirmation.message;
   EXPECT_EQ(RobotState::Moving, world.report().state);
+}
+
+TEST(RobotControllerTest, AnOperatorConfirmsOnlyWhatThereIsAndWhileAllAreStopped) {
+  RobotWorld world({2, 0});
+  EXPECT_EQ("stop first: a robot whose pose is confirmed may drive on at once",
+            world.controller.confirmPose(world.now_s).message);
+  world.run(0.2);
+  world.sendEastward(4);
+  world.run(1.0);
+  EXPECT_EQ("nothing is wrong with its pose", world.stopConfirmAndResume().message);
+  world.camera_offset.x_m = 0.1;
+  world.run(1.0);
+  EXPECT_FALSE(world.controller.confirmPose(world.now_s).is_confirmed);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  world.loseSightFor(0.2);
+  world.camera_offset.x_m = -0.2;
+  world.mode = ExecutionMode::Stop;
+  world.run(0.1);  // not long enough there
+  EXPECT_EQ(0U, world.controller.confirmPose(world.now_s).message.find("there is no pose"));
+  EXPECT_FALSE(world.controller.placeToConfirm());
+  world.run(0.1);
+  EXPECT_TRUE(world.controller.placeToConfirm());
+  EXPECT_TRUE(world.controller.confirmPose(world.now_s).is_confirmed);
 }
 
 TEST(RobotControllerTest, ARobotWithoutATaskIsWherePeoplePutIt) {
@@ -199,7 +223,10 @@ TEST(RobotControllerTest, ABaseThatNeverAnswersIsCommandedNoMore) {
   EXPECT_NE(std::string::npos, world.report().detail.find("base dead")) << world.report().detail;
   EXPECT_DOUBLE_EQ(0.0, world.speedNow());
   world.grip = 1.0;
-  world.stopAndResume();
+  world.stopAndResume();  // for another robot's sake
+  EXPECT_EQ(RobotState::Holding, world.report().state);
+  EXPECT_EQ("it is confirmed that its pose moves as it is driven",
+            world.stopConfirmAndResume().message);
   world.run(8.0);
   EXPECT_EQ(4, world.report().done);
 }
@@ -213,7 +240,7 @@ TEST(RobotControllerTest, ARobotPushedWithinItsCellsReturnsToItsPath) {
   world.pose.y_m += 0.08;
   world.run(0.3);
   EXPECT_EQ(RobotState::Blind, world.report().state);
-  world.stopAndResume();
+  world.stopConfirmAndResume();
   world.run(4.0);
   EXPECT_EQ(1, world.report().done);
   EXPECT_LT(world.report().tracking_error_m, 0.01);
@@ -241,14 +268,14 @@ TEST(RobotControllerTest, ARobotThatWasTurnedByHandWaitsToBeTurnedBack) {
   world.loseSightFor(0.3);
   world.camera_offset.yaw_rad = 1.5;
   world.run(1.0);
-  world.stopAndResume();
+  world.stopConfirmAndResume();
   EXPECT_EQ(RobotState::Holding, world.report().state);
   EXPECT_NE(std::string::npos, world.report().detail.find("heading"));
   EXPECT_DOUBLE_EQ(0.0, world.command_robot.turn_radps);
   world.loseSightFor(0.3);
   world.camera_offset.yaw_rad = 0.0;
   world.run(0.3);
-  world.stopAndResume();
+  world.stopConfirmAndResume();
   world.run(4.0);
   EXPECT_EQ(2, world.report().done);
 }

@@ -42,12 +42,21 @@ class RobotWorld {
     }
   }
 
-  /// The operator looks and lets all go on.
   void stopAndResume() {
     mode = ExecutionMode::Stop;
     run(0.3);
     mode = ExecutionMode::Run;
     run(0.3);
+  }
+
+  /// The operator stops all, looks, confirms the robot's pose, and lets all go on.
+  PoseConfirmation stopConfirmAndResume() {
+    mode = ExecutionMode::Stop;
+    run(0.3);
+    const PoseConfirmation confirmation = controller.confirmPose(now_s);
+    mode = ExecutionMode::Run;
+    run(0.3);
+    return confirmation;
   }
 
   void loseSightFor(double duration_s) {

@@ -61,8 +61,12 @@ class PoseWatch {
   /// does not matter before the first pose
   PoseVerdict offer(const TimedPose& pose, const Pose2d& driven);
 
-  /// The operator has looked: where the robot is seen now, it is.
+  /// The operator has looked: where the robot is seen now, it is. The next pose there is believed.
   void confirm() { is_confirmed_ = other_place_.has_value(); }
+
+  /// Where the robot is seen that only the operator can confirm: nothing while it is believed, or
+  /// seen there in fewer than `consistent_poses`.
+  std::optional<Pose2d> placeToConfirm() const;
 
   /// Tells that the robot was told to move `distance_m` since the last call.
   void commanded(double distance_m);

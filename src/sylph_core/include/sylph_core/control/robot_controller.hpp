@@ -41,6 +41,12 @@ struct CentralState {
   double stamp_s = 0.0;                ///< when it was sent, by the central node's clock
 };
 
+/// What a robot says to the operator's word that its pose is right.
+struct PoseConfirmation {
+  bool is_confirmed = false;
+  std::string message;  ///< where it believes to be from now on, or why there is nothing to confirm
+};
+
 /// A robot: tasks and poses in, velocity and arrivals out. Every time is in seconds of one steady
 /// clock.
 class RobotController {
@@ -54,6 +60,12 @@ class RobotController {
   PoseVerdict onPose(const TimedPose& pose);
   /// The central node lives. A state sent before the last one is late, and counts for nothing.
   void onCentralState(const CentralState& state, double now_s);
+  /// The operator has looked at this robot and answers for its pose: it is where it is seen, and
+  /// moves as it is driven. Only while everybody is stopped. A resume alone confirms nothing, since
+  /// it may be for another robot's sake.
+  PoseConfirmation confirmPose(double now_s);
+  /// Where it is seen and does not believe to be, see PoseWatch::placeToConfirm().
+  std::optional<Pose2d> placeToConfirm() const { return watch_.placeToConfirm(); }
   /// The state of the button, which stops at once; see EmergencyLatch.
   void onEmergencyStop(bool is_pressed) { emergency_.onEmergencyStop(is_pressed); }
 
