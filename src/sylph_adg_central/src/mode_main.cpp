@@ -1,55 +1,23 @@
-#include <ros/ros.h>
-#include <std_srvs/Trigger.h>
+#include <ros/init.h>
 
 #include <cstdlib>
-#include <future>
 #include <iostream>
 #include <string>
 
-namespace {
+#include "sylph_ros/topics.hpp"
+#include "sylph_ros/trigger_command.hpp"
 
-constexpr char kMode[] = SYLPH_MODE;  ///< the service: pause, stop or resume
-constexpr double kServiceWait = 5.0;  ///< wall time for the central node to appear [s]
-constexpr int kAnswerWait = 5;        ///< wall time for its answer [s]
-
-int fail(const std::string& message) {
-  std::cerr << "sylph_" << kMode << ": " << message << "\n";
-  return EXIT_FAILURE;
-}
-
-}  // namespace
-
-/// Asks the central node of the fleet in the present namespace for a mode, by a service that needs
-/// no Python on this computer. Exit status: 0 it is done, 1 with one line why not.
+/// Asks the central node of the fleet in the present namespace for a mode, SYLPH_MODE: pause, stop
+/// or resume. Exit status: 0 it is done, 1 with one line why not.
 int main(int argc, char** argv) {
-  ros::init(argc, argv, std::string("sylph_") + kMode, ros::init_options::AnonymousName);
+  const std::string mode = SYLPH_MODE;
+  const std::string command = "sylph_" + mode;
+  ros::init(argc, argv, command, ros::init_options::AnonymousName);
   if (argc != 1) {
-    return fail("takes no arguments; the fleet is that of ROS_NAMESPACE or __ns:=");
+    std::cerr << command << ": takes no arguments; the fleet is that of ROS_NAMESPACE or __ns:=\n";
+    return EXIT_FAILURE;
   }
-  if (!ros::master::check()) {
-    return fail("no ROS master at " + ros::master::getURI() + ": is ROS_MASTER_URI right?");
-  }
-  const ros::NodeHandle nh("sylph");
-  const std::string service = nh.resolveName(kMode);
-  const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(kServiceWait);
-  while (!ros::service::exists(service, false) && ros::WallTime::now() < deadline) {
-    ros::WallDuration(0.05).sleep();
-  }
-  if (!ros::service::exists(service, false)) {
-    return fail("nobody serves " + service + ": no central node in this namespace");
-  }
-  std_srvs::Trigger trigger;
-  auto answer =
-      std::async(std::launch::async, [&] { return ros::service::call(service, trigger); });
-  if (answer.wait_for(std::chrono::seconds(kAnswerWait)) != std::future_status::ready) {
-    std::_Exit(fail(service + " does not answer: cut the robots' power if they move"));
-  }
-  if (!answer.get()) {
-    return fail(service + " did not answer: cut the robots' power if they move");
-  }
-  if (trigger.response.success == 0) {
-    return fail(trigger.response.message);
-  }
-  std::cout << trigger.response.message << std::endl;
-  return EXIT_SUCCESS;
+  return sylph_ros::runTriggerCommand(
+      {command, std::string(sylph_ros::kSuiteNamespace) + "/" + mode,
+       "central node in this namespace", "cut the robots' power if they move"});
 }

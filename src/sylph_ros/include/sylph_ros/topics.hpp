@@ -80,6 +80,8 @@ constexpr char kPoseTopic[] = "pose";
 constexpr char kOdometryTopic[] = "odom";
 /// geometry_msgs/Twist in the robot's frame: to its base.
 constexpr char kCommandTopic[] = "cmd_vel";
+/// std_srvs/Trigger of the robot's node: the operator has looked, its pose is right.
+constexpr char kConfirmPoseService[] = "confirm_pose";
 /// geometry_msgs/PolygonStamped in the robot's frame, latched.
 constexpr char kFootprintTopic[] = "footprint";
 
