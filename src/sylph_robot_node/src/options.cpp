@@ -87,7 +87,7 @@ void readWatches(sylph_ros::ParameterReader& reader, sylph::RobotControllerOptio
               "the same for the yaw");
   reader.read("motion_aside_m", controller.motion.aside_m, {0.001, 10.0},
               "what may be measured in 0.4 s beside the way that it is driven; more stops it until "
-              "stop and resume");
+              "its pose is confirmed");
   reader.read("motion_patience_m", controller.motion.patience_m, {0.001, 10.0},
               "commanded without moving, before it only creeps; 50 mm of that in vain stop it");
   reader.read("good_poses", controller.watch.good_poses, count,

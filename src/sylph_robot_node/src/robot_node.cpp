@@ -47,6 +47,8 @@ RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   emergency_subscriber_ = clock_.subscribe<std_msgs::Bool>(
       suite, sylph_ros::kEmergencyStopTopic, 10,
       [this](const std_msgs::Bool& stop) { onEmergencyStop(stop); });
+  confirm_pose_server_ =
+      nh_.advertiseService(sylph_ros::kConfirmPoseService, &RobotNode::onConfirmPose, this);
   updater_.setHardwareID(options_.robot);
   updater_.add("control",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
@@ -105,6 +107,15 @@ void RobotNode::onAdgState(const sylph_msgs::AdgState& message) {
 
 void RobotNode::onEmergencyStop(const std_msgs::Bool& message) {
   controller_.onEmergencyStop(message.data != 0);
+}
+
+bool RobotNode::onConfirmPose(std_srvs::Trigger::Request& /*request*/,
+                              std_srvs::Trigger::Response& response) {
+  const sylph::PoseConfirmation confirmation = controller_.confirmPose(clock_.now());
+  response.success = static_cast<std::uint8_t>(confirmation.is_confirmed);
+  response.message = options_.robot + ": " + confirmation.message;
+  ROS_INFO("the operator confirms the pose: %s", response.message.c_str());
+  return true;
 }
 
 void RobotNode::onTick() {

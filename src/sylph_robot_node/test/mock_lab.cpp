@@ -48,7 +48,7 @@ void MockLab::step() {
     geometry_msgs::PoseStamped message;
     message.header.stamp = ros::Time::now();
     message.header.frame_id = "map";
-    message.pose.position.x = pose_.x_m + (steps_ % 2 == 0 ? 1e-4 : -1e-4);
+    message.pose.position.x = pose_.x_m + camera_offset_m_ + (steps_ % 2 == 0 ? 1e-4 : -1e-4);
     message.pose.position.y = pose_.y_m;
     message.pose.orientation = sylph_ros::quaternionFromYaw(pose_.yaw_rad);
     pose_publisher_.publish(message);
@@ -99,6 +99,11 @@ void MockLab::setMode(std::uint8_t mode) {
 void MockLab::setCameras(bool on) {
   const std::lock_guard<std::mutex> lock(mutex_);
   cameras_on_ = on;
+}
+
+void MockLab::setCameraOffset(double offset_m) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  camera_offset_m_ = offset_m;
 }
 
 void MockLab::setCentral(bool on) {

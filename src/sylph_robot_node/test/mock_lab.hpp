@@ -30,6 +30,8 @@ class MockLab {
   void setEmergency(bool is_pressed);
   void setMode(std::uint8_t mode);
   void setCameras(bool on);
+  /// Adds to x of what the cameras tell [m].
+  void setCameraOffset(double offset_m);
   void setCentral(bool on);
 
   sylph_msgs::TaskReport report() const;
@@ -65,6 +67,7 @@ class MockLab {
   std::uint8_t mode_ = 0;
   std::uint32_t executed_plan_id_ = 0;
   bool cameras_on_ = true;
+  double camera_offset_m_ = 0.0;
   bool central_on_ = false;
   int steps_ = 0;
   int states_ = 0;

@@ -13,6 +13,7 @@
 #include <csignal>
 #include <cstdio>
 #include <string>
+#include <utility>
 
 #include "mock_lab.hpp"
 #include "wait_until.hpp"
@@ -46,19 +47,40 @@ int processOf(const std::string& node) {
   return client.execute("getPid", who, response) ? static_cast<int>(response[2]) : -1;
 }
 
-/// What a second node of the same name says until it ends.
-std::string wordsOfSecondNode() {
-  FILE* second = popen("timeout 5 " SYLPH_ROBOT_EXECUTABLE " __ns:=robot_0 2>&1", "r");
-  if (second == nullptr) {
-    return "did not start";
+/// Exit status of a shell command and what it says until it ends.
+std::pair<int, std::string> outcomeOf(const std::string& command) {
+  FILE* pipe = popen((command + " 2>&1").c_str(), "r");
+  if (pipe == nullptr) {
+    return {-1, "did not start"};
   }
   std::string said;
   std::array<char, 512> buffer{};
-  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), second) != nullptr) {
+  while (std::fgets(buffer.data(), static_cast<int>(buffer.size()), pipe) != nullptr) {
     said += buffer.data();
   }
-  pclose(second);
-  return said;
+  return {WEXITSTATUS(pclose(pipe)), said};
+}
+
+std::pair<int, std::string> confirmPose(const std::string& arguments) {
+  return outcomeOf("env ROS_NAMESPACE=/ " SYLPH_CONFIRM_POSE_EXECUTABLE " " + arguments);
+}
+
+void expectBelievedOnlyWhenConfirmed(MockLab& lab, double offset_m) {
+  SCOPED_TRACE(offset_m);
+  lab.setCameraOffset(offset_m);
+  ASSERT_TRUE(
+      waitUntil([&] { return lab.report().detail.find("confirm its pose") != std::string::npos; }));
+  EXPECT_EQ(std::make_pair(1, std::string("sylph_confirm_pose: robot_0: stop first: a robot whose "
+                                          "pose is confirmed may drive on at once\n")),
+            confirmPose("robot_0"));
+  lab.setMode(AdgState::STOP);
+  const int stops = lab.stateCount() + 3;
+  ASSERT_TRUE(waitUntil([&] { return lab.stateCount() > stops; }));
+  const auto [status, said] = confirmPose("robot_0");
+  EXPECT_EQ(0, status) << said;
+  EXPECT_EQ(0U, said.find("robot_0: its pose is confirmed: ")) << said;
+  lab.setMode(AdgState::RUN);
+  ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::IDLE; }));
 }
 
 void expectZerosAfterTheKill(MockLab& lab, int process) {
@@ -123,10 +145,16 @@ TEST(RobotNodeTest, ATaskFromHoldToShutdown) {
   ASSERT_TRUE(waitUntil([&] { return lab.report().done == 3; }));
   EXPECT_NEAR(1.05, lab.pose().x_m, 0.012);
 
+  // Seen at another place, it believes the operator's word for it, and back again.
+  expectBelievedOnlyWhenConfirmed(lab, 0.08);
+  expectBelievedOnlyWhenConfirmed(lab, 0.0);
+  EXPECT_EQ(1, confirmPose("robot_7").first);
+  EXPECT_EQ(1, confirmPose("").first);
+
   // A second node of the same name leaves it alone and says so, once.
   const int process = processOf("/robot_0/sylph_robot");
   ASSERT_GT(process, 0);
-  const std::string said = wordsOfSecondNode();
+  const std::string said = outcomeOf("timeout 5 " SYLPH_ROBOT_EXECUTABLE " __ns:=robot_0").second;
   EXPECT_NE(std::string::npos, said.find("/robot_0/sylph_robot already runs at http://")) << said;
   EXPECT_EQ(1, std::count(said.begin(), said.end(), '\n')) << said;
   EXPECT_EQ(process, processOf("/robot_0/sylph_robot"));

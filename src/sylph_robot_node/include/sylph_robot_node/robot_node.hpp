@@ -3,9 +3,11 @@
 #include <diagnostic_updater/diagnostic_updater.h>
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/node_handle.h>
+#include <ros/service_server.h>
 #include <ros/steady_timer.h>
 #include <ros/subscriber.h>
 #include <std_msgs/Bool.h>
+#include <std_srvs/Trigger.h>
 #include <sylph_msgs/AdgState.h>
 #include <sylph_msgs/Task.h>
 
@@ -30,6 +32,7 @@ class RobotNode {
   void onPose(const geometry_msgs::PoseStamped& message);
   void onAdgState(const sylph_msgs::AdgState& message);
   void onEmergencyStop(const std_msgs::Bool& message);
+  bool onConfirmPose(std_srvs::Trigger::Request& request, std_srvs::Trigger::Response& response);
   void onTick();
   void goDownWithoutSimulator();
   void goDown(double now_s);
@@ -48,6 +51,7 @@ class RobotNode {
   ros::Subscriber pose_subscriber_;
   ros::Subscriber adg_state_subscriber_;
   ros::Subscriber emergency_subscriber_;
+  ros::ServiceServer confirm_pose_server_;
   diagnostic_updater::Updater updater_;
   sylph_ros::Timer timer_;
   ros::SteadyTimer shutdown_timer_;  // where timer_ waits for a simulator that is gone
