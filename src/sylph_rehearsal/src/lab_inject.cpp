@@ -102,6 +102,9 @@ void Lab::end(const LabFault& fault) {
       resume(sylph::ExecutionMode::Pause);
       break;
     case LabFaultKind::Stop:
+      for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
+        robots_[robot]->onLookedAt(simulation_.poses()[robot]);
+      }
       resume(sylph::ExecutionMode::Stop);
       break;
     case LabFaultKind::Simulated:

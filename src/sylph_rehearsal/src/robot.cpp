@@ -1,6 +1,15 @@
 #include "robot.hpp"
 
+#include <cmath>
+
 namespace sylph_rehearsal {
+namespace {
+
+/// An operator sees that a robot is farther than this from where it is shown.
+constexpr double kSeenApart_m = 0.03;
+constexpr double kSeenApart_rad = 0.2;
+
+}  // namespace
 
 void Robot::start() {
   ++life_;
@@ -47,6 +56,21 @@ void Robot::onCentralState(const sylph::CentralState& state) {
 void Robot::onEmergencyStop(bool is_pressed) {
   if (node_) {
     node_->controller.onEmergencyStop(is_pressed);
+  }
+}
+
+void Robot::onLookedAt(const sylph::Pose2d& truth) {
+  if (!node_) {
+    return;
+  }
+  const double now_s = queue_->now();
+  std::optional<sylph::Pose2d> shown = node_->controller.placeToConfirm();
+  if (!shown) {
+    shown = node_->controller.report(now_s).pose;
+  }
+  if (shown && distance(position(*shown), position(truth)) < kSeenApart_m &&
+      std::abs(sylph::shortestAngle(shown->yaw_rad, truth.yaw_rad)) < kSeenApart_rad) {
+    node_->controller.confirmPose(now_s);
   }
 }
 

@@ -39,6 +39,8 @@ class Robot {
   void onPose(const sylph::Pose2d& pose, double stamp_s);
   void onCentralState(const sylph::CentralState& state);
   void onEmergencyStop(bool is_pressed);
+  /// The operator, who stands beside the robot, confirms its pose if it is shown where it truly is.
+  void onLookedAt(const sylph::Pose2d& truth);
 
   /// How far its clock is ahead [s].
   void setClockOffset(double offset_s) { clock_offset_s_ = offset_s; }

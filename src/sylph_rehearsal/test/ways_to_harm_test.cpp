@@ -30,6 +30,27 @@ TEST(FalsePlaceTest, AfterAShortOcclusionMovesNoRobot) {
   }
 }
 
+TEST(FalsePlaceTest, IsNotBelievedBecauseTheOperatorResumesForAnotherReason) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    for (const double jump_m : {-0.1, 0.1}) {
+      SCOPED_TRACE(std::to_string(seed) + ", " + std::to_string(jump_m) + " m");
+      const Rehearsal run = rehearse(passing(seed), {}, nullptr,
+                                     {simulated(FaultKind::Jump, {0}, 4.0, kForGood, jump_m),
+                                      faultOf(LabFaultKind::Stop, {}, 6.0, 1.0)});
+      EXPECT_EQ(Ending::Stopped, run.ending) << run.cause;
+      EXPECT_NE(std::string::npos, run.cause.find("confirm its pose")) << run.cause;
+    }
+  }
+}
+
+TEST(CarriedRobotTest, GoesOnFromWhereTheOperatorHasConfirmedIt) {
+  const Rehearsal run = rehearse(
+      passing(1), {}, nullptr,
+      {simulated(FaultKind::Lost, {0}, 4.0, 1.0), simulated(FaultKind::Stuck, {0}, 3.8, 1.0),
+       faultOf(LabFaultKind::Stop, {}, 7.0, 1.0)});
+  EXPECT_EQ(Ending::Finished, run.ending) << run.cause;
+}
+
 TEST(LaunchAnewTest, StoppedRobotsStayWhereTheyAre) {
   for (std::uint32_t seed = 1; seed <= 5; ++seed) {
     SCOPED_TRACE(seed);
