@@ -91,7 +91,10 @@ std::vector<ExperimentChoice> OperatorLink::experiments() const {
 }
 
 std::string OperatorLink::takeOutcome() {
-  for (TriggerCall* call : {&pause_, &resume_, &stop_}) {
+  for (TriggerCall* call : {&pause_, &resume_, &stop_, confirm_pose_.get()}) {
+    if (call == nullptr) {
+      continue;
+    }
     if (std::string outcome = call->takeOutcome(); !outcome.empty()) {
       return outcome;
     }
@@ -127,6 +130,12 @@ void OperatorLink::cancel() {
   client_->cancelAllGoals();
   const std::lock_guard<std::mutex> lock(mutex_);
   outcome_ = "cancel: robots hold at their next cells";
+}
+
+void OperatorLink::confirmPose(const std::string& robot) {
+  confirm_pose_ = std::make_unique<TriggerCall>(
+      nh_, sylph_ros::robotTopic(nh_, robot, sylph_ros::kConfirmPoseService), kServiceTimeoutS);
+  confirm_pose_->call();
 }
 
 void OperatorLink::serveCallbacks() {

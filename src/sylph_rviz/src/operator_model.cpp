@@ -169,12 +169,13 @@ void OperatorModel::addMessage(OperatorView& view, double steady_s) const {
 
 void OperatorModel::addCommands(OperatorView& view, double steady_s) const {
   if (source_ == Source::Replay) {
-    view.start = view.pause = view.resume = view.stop = view.cancel =
+    view.start = view.pause = view.resume = view.stop = view.cancel = view.confirm_pose =
         "a replay: no robot hears commands";
     return;
   }
   if (!hasState(steady_s)) {
-    view.start = view.pause = view.resume = view.cancel = "no central node is heard";
+    view.start = view.pause = view.resume = view.cancel = view.confirm_pose =
+        "no central node is heard";
     return;  // stop stays: a central node that is not heard may still hear
   }
   const std::uint8_t mode = scene_.state->mode;
@@ -185,6 +186,7 @@ void OperatorModel::addCommands(OperatorView& view, double steady_s) const {
   view.pause = mode == AdgState::PAUSE ? "paused already" : mode == AdgState::STOP ? "stopped" : "";
   view.resume = mode == AdgState::RUN ? "robots are free to go" : "";
   view.stop = mode == AdgState::STOP ? "stopped already" : "";
+  view.confirm_pose = mode != AdgState::STOP ? "stop first, and look at the robot" : "";
   view.cancel = !isUnderWay(steady_s) ? "no mission is under way" : "";
 }
 

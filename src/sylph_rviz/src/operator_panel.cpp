@@ -168,7 +168,8 @@ void OperatorPanel::buildCommands(QVBoxLayout* column) {
   stop_ = makeButton("stop", "STOP");
   cancel_ = makeButton("cancel", "Cancel mission");
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* button : {start_, pause_, resume_, stop_, cancel_}) {
+  confirm_pose_ = makeButton("confirm_pose", "Confirm pose");
+  for (QPushButton* button : {start_, pause_, resume_, stop_, cancel_, confirm_pose_}) {
     buttons->addWidget(button);
   }
   column->addLayout(buttons);
@@ -177,6 +178,8 @@ void OperatorPanel::buildCommands(QVBoxLayout* column) {
   connect(resume_, &QPushButton::clicked, this, [this] { link_->resume(); });
   connect(stop_, &QPushButton::clicked, this, [this] { link_->stop(); });
   connect(cancel_, &QPushButton::clicked, this, [this] { link_->cancel(); });
+  connect(confirm_pose_, &QPushButton::clicked, this,
+          [this] { link_->confirmPose(selectedRobot()); });
   outcome_ = new QLabel;
   outcome_->setObjectName("outcome");
   outcome_->setWordWrap(true);
@@ -201,6 +204,11 @@ void OperatorPanel::buildTable(QVBoxLayout* column) {
   reasons_->setObjectName("reasons");
   reasons_->setWordWrap(true);
   column->addWidget(reasons_);
+}
+
+std::string OperatorPanel::selectedRobot() const {
+  const QList<QTableWidgetItem*> items = table_->selectedItems();
+  return items.isEmpty() ? "" : table_->item(items.front()->row(), kRobot)->text().toStdString();
 }
 
 void OperatorPanel::start() {
@@ -271,6 +279,11 @@ void OperatorPanel::showCommands(const OperatorView& view) {
   setRefusal(resume_, view.resume);
   setRefusal(stop_, view.stop);
   setRefusal(cancel_, view.cancel);
+  const std::string robot = selectedRobot();
+  setRefusal(confirm_pose_, !view.confirm_pose.empty() ? view.confirm_pose
+                            : robot.empty()            ? "select the robot's row"
+                                                       : "");
+  confirm_pose_->setText(robot.empty() ? "Confirm pose" : "Confirm pose of " + fromText(robot));
   stop_->setStyleSheet(
       view.stop.empty() ? "background: rgb(213, 94, 0); color: white; font-weight: bold" : "");
   if (!view.stop.empty() && view.stop == view.pause) {

@@ -126,7 +126,8 @@ TEST_F(OperatorModelTest, AReplayIsShownAndNotCommanded) {
   hear();
   const OperatorView view = model.view(0.0, 1000.0);  // paused for long
   EXPECT_EQ("replay: executing, 1 of 2 robots arrived", view.headline);
-  for (const Refusal& refusal : {view.start, view.pause, view.resume, view.stop, view.cancel}) {
+  for (const Refusal& refusal :
+       {view.start, view.pause, view.resume, view.stop, view.cancel, view.confirm_pose}) {
     EXPECT_EQ("a replay: no robot hears commands", refusal);
   }
 }

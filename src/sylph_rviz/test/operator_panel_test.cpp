@@ -125,12 +125,41 @@ TEST_F(OperatorPanelTest, StartsTheChosenExperimentWithTheChosenPlanner) {
   server.setSucceeded();
 }
 
+TEST_F(OperatorPanelTest, ConfirmsThePoseOfTheSelectedRobotWhileAllAreStopped) {
+  startCentral([] {});
+  ros::NodeHandle robot("robot_1");
+  std::atomic<int> calls{0};
+  const ros::ServiceServer server =
+      robot.advertiseService<std_srvs::TriggerRequest, std_srvs::TriggerResponse>(
+          sylph_ros::kConfirmPoseService,
+          [&calls](std_srvs::TriggerRequest&, std_srvs::TriggerResponse& response) {
+            ++calls;
+            response.message = "robot_1: nothing is wrong with its pose";
+            return true;
+          });
+  auto& table = *panel_.findChild<QTableWidget*>("robots");
+  ASSERT_TRUE(waitUntil([&] { return table.rowCount() == 2; }));
+  table.selectRow(1);
+  ASSERT_TRUE(waitUntil([&] {
+    return button("confirm_pose").text() == "Confirm pose of robot_1" &&
+           button("pause").isEnabled();
+  }));
+  EXPECT_FALSE(button("confirm_pose").isEnabled());
+  state_.mode = sylph_msgs::AdgState::STOP;
+  ASSERT_TRUE(waitUntil([&] { return button("confirm_pose").isEnabled(); }));
+  button("confirm_pose").click();
+  EXPECT_TRUE(waitUntil([&] {
+    return label("outcome") == "/robot_1/confirm_pose: robot_1: nothing is wrong with its pose";
+  })) << label("outcome");
+  EXPECT_EQ(1, calls);
+}
+
 TEST_F(OperatorPanelTest, CommandsAreOffInAReplay) {
   // A state of execution without a central node's services.
   EXPECT_TRUE(waitUntil([&] {
     return label("outcome") == "commands are off: a replay: no robot hears commands";
   })) << label("outcome");
-  for (const char* name : {"start", "pause", "resume", "stop", "cancel"}) {
+  for (const char* name : {"start", "pause", "resume", "stop", "cancel", "confirm_pose"}) {
     EXPECT_FALSE(button(name).isEnabled()) << name;
   }
 }

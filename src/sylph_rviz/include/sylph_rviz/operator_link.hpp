@@ -57,6 +57,8 @@ class OperatorLink {
   void resume() { resume_.call(); }
   /// Robots ramp to zero at once.
   void stop() { stop_.call(); }
+  /// The operator has looked at a robot: its pose is right.
+  void confirmPose(const std::string& robot);
 
  private:
   using Client = actionlib::SimpleActionClient<sylph_msgs::ExecuteMissionAction>;
@@ -80,6 +82,7 @@ class OperatorLink {
   TriggerCall pause_;
   TriggerCall resume_;
   TriggerCall stop_;
+  std::unique_ptr<TriggerCall> confirm_pose_;  ///< of the robot that was confirmed last
   std::future<void> start_;
   std::atomic<bool> is_ending_{false};
   std::thread callbacks_;

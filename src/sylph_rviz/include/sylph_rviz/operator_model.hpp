@@ -54,6 +54,7 @@ struct OperatorView {
   Refusal resume;                   ///< after a pause or stop
   Refusal stop;                     ///< of the lab, at once
   Refusal cancel;                   ///< of the mission
+  Refusal confirm_pose;             ///< of any one robot
 };
 
 /// What is known of a run, from messages alone: no clock, no ROS. Times are told by the caller, in

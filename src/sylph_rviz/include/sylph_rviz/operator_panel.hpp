@@ -3,6 +3,7 @@
 #include <rviz/panel.h>
 
 #include <memory>
+#include <string>
 
 #include "sylph_rviz/operator_link.hpp"
 
@@ -34,6 +35,7 @@ class OperatorPanel : public rviz::Panel {
   void buildCommands(QVBoxLayout* column);
   void buildTable(QVBoxLayout* column);
   static QPushButton* makeButton(const char* name, const QString& text);
+  std::string selectedRobot() const;  ///< empty: none
   void start();
   void showExperiments();
   void showMission(const OperatorView& view);
@@ -56,6 +58,7 @@ class OperatorPanel : public rviz::Panel {
   QPushButton* resume_ = nullptr;
   QPushButton* stop_ = nullptr;
   QPushButton* cancel_ = nullptr;
+  QPushButton* confirm_pose_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel* reasons_ = nullptr;
 };
