@@ -80,6 +80,7 @@ Lab::Lab(sylph::Experiment experiment, const RehearsalOptions& options,
                   to_central_.send([this, mode] { central_.setMode(mode, "by the planner"); });
                 }}),
       oracle_(experiment_),
+      braking_(experiment_.robots.size()),
       faults_(std::move(faults)),
       progress_s_(kStart_s),
       waits_s_(experiment_.robots.size() * experiment_.robots.size(), 0.0) {
@@ -136,6 +137,7 @@ void Lab::step() {
     bridge_.onFrame(frame, queue_.now());
   }
   oracle_.check(simulation_, queue_.now() - kStart_s);
+  braking_.onStep(simulation_, queue_.now());
   is_over_ = !goesOn();
   queue_.at(simulation_.time() + simulation_.stepDuration(), [this] { step(); });
 }
@@ -265,6 +267,7 @@ Rehearsal Lab::summary() {
   rehearsal.faults = faults_;
   rehearsal.lab_s = queue_.now() - kStart_s;
   rehearsal.violations = oracle_.violations();
+  rehearsal.brakings = braking_.brakings();
   rehearsal.event_log = central_.log();
   sylph::RunRecord& record = central_.record();
   record.setMinSeparation(simulation_.minSeparation());

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "braking_meter.hpp"
 #include "bridge.hpp"
 #include "central.hpp"
 #include "mission_planner.hpp"
@@ -51,6 +52,9 @@ class Lab {
 
   void begin(const LabFault& fault);
   void end(const LabFault& fault);
+  void tellOfButton();
+  /// The operator walks around the robots, and confirms poses that are true.
+  void lookAtRobots();
   void setLinks(const LabFault& fault, bool has_fault);
   void startCentral();
   void startRobot(std::size_t robot);
@@ -77,9 +81,11 @@ class Lab {
   Monitor monitor_;
   MissionPlanner planner_;
   Oracle oracle_;
+  BrakingMeter braking_;
   std::vector<LabFault> faults_;
   double progress_s_;  // when something was done last
   bool is_over_ = false;
+  bool is_button_pressed_ = false;
   std::vector<double> waits_s_;  // of each robot for each other one, row by row
 };
 

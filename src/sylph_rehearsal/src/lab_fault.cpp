@@ -19,7 +19,7 @@ struct KindRow {
   const char* name;
 };
 
-constexpr std::array<KindRow, 11> kKinds{{
+constexpr std::array<KindRow, 12> kKinds{{
     {LabFaultKind::Network, "network"},
     {LabFaultKind::PoseNetwork, "pose_network"},
     {LabFaultKind::CrashCentral, "crash_central"},
@@ -30,6 +30,7 @@ constexpr std::array<KindRow, 11> kKinds{{
     {LabFaultKind::ClockSkew, "clock_skew"},
     {LabFaultKind::Pause, "pause"},
     {LabFaultKind::Stop, "stop"},
+    {LabFaultKind::EmergencyStop, "emergency_stop"},
     {LabFaultKind::DeclareLost, "declare_lost"},
 }};
 

@@ -10,6 +10,9 @@ namespace {
 /// The operator tries again so often while no central node answers.
 constexpr double kRetryPeriod_s = 1.0;
 
+/// The button's node tells of it again so often while it is pressed.
+constexpr double kButtonPeriod_s = 0.05;
+
 }  // namespace
 
 void Lab::begin(const LabFault& fault) {
@@ -62,6 +65,11 @@ void Lab::begin(const LabFault& fault) {
     case LabFaultKind::Stop:
       central_.setMode(sylph::ExecutionMode::Stop, "by the operator");
       break;
+    case LabFaultKind::EmergencyStop:
+      is_button_pressed_ = true;
+      braking_.onPressed(queue_.now());
+      tellOfButton();
+      break;
     case LabFaultKind::DeclareLost:
       for (const std::size_t robot : robots) {
         central_.declareLost(static_cast<int>(robot), "declared by the operator");
@@ -101,16 +109,33 @@ void Lab::end(const LabFault& fault) {
     case LabFaultKind::Pause:
       resume(sylph::ExecutionMode::Pause);
       break;
+    case LabFaultKind::EmergencyStop:
+      is_button_pressed_ = false;
+      onEmergencyStop(false, "");
+      lookAtRobots();
+      resume(sylph::ExecutionMode::Stop);
+      break;
     case LabFaultKind::Stop:
-      for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-        robots_[robot]->onLookedAt(simulation_.poses()[robot]);
-      }
+      lookAtRobots();
       resume(sylph::ExecutionMode::Stop);
       break;
     case LabFaultKind::Simulated:
     case LabFaultKind::LaunchAnew:
     case LabFaultKind::DeclareLost:
       break;
+  }
+}
+
+void Lab::tellOfButton() {
+  if (is_button_pressed_) {
+    onEmergencyStop(true, "the emergency stop is pressed");
+    queue_.after(kButtonPeriod_s, [this] { tellOfButton(); });
+  }
+}
+
+void Lab::lookAtRobots() {
+  for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
+    robots_[robot]->onLookedAt(simulation_.poses()[robot]);
   }
 }
 

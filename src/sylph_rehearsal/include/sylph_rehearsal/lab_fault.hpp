@@ -16,18 +16,19 @@ namespace sylph_rehearsal {
 /// What can go wrong in the lab besides robots and cameras. In a schedule the names are the same in
 /// snake_case.
 enum class LabFaultKind {
-  Simulated,     ///< of a robot or the cameras, as sylph_sim has it
-  Network,       ///< messages between central node and robots travel worse
-  PoseNetwork,   ///< those of poses to robots do
-  CrashCentral,  ///< the central node ends, and starts again after the duration
-  CrashRobot,    ///< a robot's node does
-  CrashPlanner,  ///< the planner's does
-  LaunchAnew,    ///< the operator ends both and launches them again, with an empty event log
-  CrashBridge,   ///< the bridge's does
-  ClockSkew,     ///< the clock of a robot is `value` seconds ahead
-  Pause,         ///< the operator pauses, and resumes after the duration
-  Stop,          ///< the operator stops, and resumes after the duration
-  DeclareLost,   ///< the operator declares a robot lost
+  Simulated,      ///< of a robot or the cameras, as sylph_sim has it
+  Network,        ///< messages between central node and robots travel worse
+  PoseNetwork,    ///< those of poses to robots do
+  CrashCentral,   ///< the central node ends, and starts again after the duration
+  CrashRobot,     ///< a robot's node does
+  CrashPlanner,   ///< the planner's does
+  LaunchAnew,     ///< the operator ends both and launches them again, with an empty event log
+  CrashBridge,    ///< the bridge's does
+  ClockSkew,      ///< the clock of a robot is `value` seconds ahead
+  Pause,          ///< the operator pauses, and resumes after the duration
+  Stop,           ///< the operator stops, and resumes after the duration
+  EmergencyStop,  ///< the button is pressed; released after the duration, the operator resumes
+  DeclareLost,    ///< the operator declares a robot lost
 };
 
 /// One thing that goes wrong. `at_s` counts from the start of the run [s].

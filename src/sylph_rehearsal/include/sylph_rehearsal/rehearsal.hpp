@@ -59,17 +59,26 @@ struct WaitingTime {
   double duration_s = 0.0;  ///< in all [s]
 };
 
+/// A robot that drove when the emergency stop was pressed.
+struct EmergencyBraking {
+  int robot = 0;
+  double speed_mps = 0.0;   ///< when it was pressed
+  double distance_m = 0.0;  ///< from then to standstill
+  double duration_s = 0.0;  ///< likewise
+};
+
 /// What became of a run.
 struct Rehearsal {
-  std::uint32_t seed = 0;              ///< gives the same run again
-  Ending ending = Ending::Stopped;     ///< the worst of what happened
-  std::string cause;                   ///< why it did not finish
-  std::vector<LabFault> faults;        ///< that went wrong
-  sylph::RunResult result;             ///< as the central node sums it up
-  double lab_s = 0.0;                  ///< time of the lab that the run took
-  std::vector<Violation> violations;   ///< in order of time; none unless `ending` is Violated
-  std::vector<WaitingTime> waits;      ///< in order of robot and blocker
-  std::vector<std::string> event_log;  ///< of the central node, a line an event
+  std::uint32_t seed = 0;                  ///< gives the same run again
+  Ending ending = Ending::Stopped;         ///< the worst of what happened
+  std::string cause;                       ///< why it did not finish
+  std::vector<LabFault> faults;            ///< that went wrong
+  sylph::RunResult result;                 ///< as the central node sums it up
+  double lab_s = 0.0;                      ///< time of the lab that the run took
+  std::vector<Violation> violations;       ///< in order of time; none unless `ending` is Violated
+  std::vector<WaitingTime> waits;          ///< in order of robot and blocker
+  std::vector<EmergencyBraking> brakings;  ///< by the truth, in order of standstill
+  std::vector<std::string> event_log;      ///< of the central node, a line an event
 };
 
 /// Runs the mission of an experiment, from its robots' starts to its goals, in the simulated lab:
