@@ -54,6 +54,29 @@ std::vector<Figure> figures() {
            [](const Rehearsal& run) { return run.result.max_tracking_error_m * 1e3; }}};
 }
 
+/// Empty without values.
+std::string row(const char* name, std::vector<double> values) {
+  if (values.empty()) {
+    return "";
+  }
+  std::sort(values.begin(), values.end());
+  return format("%-20s %9.2f %9.2f %9.2f %9.2f\n", name, values.front(), quantile(values, 0.5),
+                quantile(values, 0.9), values.back());
+}
+
+/// Of the robots that an emergency stop found driving: how far and how long they drove on.
+std::string brakingRows(const std::vector<Rehearsal>& runs) {
+  std::vector<double> distances_mm;
+  std::vector<double> durations_s;
+  for (const Rehearsal& run : runs) {
+    for (const EmergencyBraking& braking : run.brakings) {
+      distances_mm.push_back(braking.distance_m * 1e3);
+      durations_s.push_back(braking.duration_s);
+    }
+  }
+  return row("braking [mm]", distances_mm) + row("braking [s]", durations_s);
+}
+
 std::map<Ending, int> countEndings(const std::vector<Rehearsal>& runs) {
   std::map<Ending, int> counts;
   for (const Rehearsal& run : runs) {
@@ -130,13 +153,9 @@ std::string toTable(const sylph::Experiment& experiment, const std::vector<Rehea
         values.push_back(*value);
       }
     }
-    if (values.empty()) {
-      continue;
-    }
-    std::sort(values.begin(), values.end());
-    text += format("%-20s %9.2f %9.2f %9.2f %9.2f\n", figure.name, values.front(),
-                   quantile(values, 0.5), quantile(values, 0.9), values.back());
+    text += row(figure.name, values);
   }
+  text += brakingRows(runs);
   const auto longest = waits(experiment, runs);
   if (!longest.empty()) {
     text += "\nwaits, seconds a run\n";
@@ -148,9 +167,10 @@ std::string toTable(const sylph::Experiment& experiment, const std::vector<Rehea
   if (!faults.empty()) {
     text += format("\n%-20s %9s %9s %9s %9s\n", "fault", "runs", "finished", "stopped", "violated");
   }
-  for (auto& [kind, row] : faults) {
-    text += format("%-20s %9d %9d %9d %9d\n", kind.c_str(), row.runs, row.endings[Ending::Finished],
-                   row.endings[Ending::Stopped], row.endings[Ending::Violated]);
+  for (auto& [kind, fault] : faults) {
+    text +=
+        format("%-20s %9d %9d %9d %9d\n", kind.c_str(), fault.runs, fault.endings[Ending::Finished],
+               fault.endings[Ending::Stopped], fault.endings[Ending::Violated]);
   }
   std::size_t told = 0;
   for (const Rehearsal& run : worstFirst(runs)) {
@@ -195,6 +215,13 @@ std::string toJson(const sylph::Experiment& experiment, const std::vector<Rehear
       entry["min_separation_m"] = *run.result.min_separation_m;
     }
     entry["max_tracking_error_m"] = run.result.max_tracking_error_m;
+    entry["brakings"] = nlohmann::ordered_json::array();
+    for (const EmergencyBraking& braking : run.brakings) {
+      entry["brakings"].push_back({{"robot", braking.robot},
+                                   {"speed_mps", braking.speed_mps},
+                                   {"distance_m", braking.distance_m},
+                                   {"duration_s", braking.duration_s}});
+    }
     entry["replans"] = run.result.replans;
     entry["stops"] = run.result.stops;
     entry["lab_s"] = run.lab_s;
