@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "sylph_core/text/join.hpp"
+
 namespace sylph_mocap_bridge {
 namespace {
 
@@ -32,14 +34,6 @@ sylph_natnet::ClientOptions clientOptions(sylph_natnet::ClientOptions options, b
     options.silence = std::chrono::hours(1);
   }
   return options;
-}
-
-std::string join(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
 }
 
 }  // namespace
@@ -227,7 +221,7 @@ Finding NatnetInput::look(diagnostic_updater::DiagnosticStatusWrapper& report) {
   report.add("last parse error", now.last_error);
   report.add("bytes", now.bytes);
   report.add("datagrams of others", now.foreign);
-  report.add("rigid bodies of the server", join(status.link.offered));
+  report.add("rigid bodies of the server", sylph::join(status.link.offered));
   if (status.clock) {
     report.add("clock offset [s]", status.clock->offset_s);
     report.add("clock uncertainty [s]", status.clock->uncertainty_s);

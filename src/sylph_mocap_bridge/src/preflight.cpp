@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "sylph_core/files/nearest_names.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph_mocap_bridge {
 namespace {
@@ -10,12 +11,8 @@ namespace {
 using sylph_natnet::Endpoint;
 using sylph_natnet::toString;
 
-std::string join(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text.empty() ? "none" : text;
+std::string listOf(const std::vector<std::string>& names) {
+  return names.empty() ? "none" : sylph::join(names);
 }
 
 std::string groupOf(const sylph_natnet::ServerInfo& server) {
@@ -78,7 +75,7 @@ Finding noFrames(const LinkStatus& status) {
 
 Finding wrongNames(const LinkStatus& status) {
   if (!status.ambiguous.empty()) {
-    return {Severity::Error, "more than one rigid body is called " + join(status.ambiguous) +
+    return {Severity::Error, "more than one rigid body is called " + listOf(status.ambiguous) +
                                  ": give each a name and an id of its own"};
   }
   if (!status.definitions_known) {
@@ -89,20 +86,20 @@ Finding wrongNames(const LinkStatus& status) {
   }
   if (!status.unread.empty()) {
     return {Severity::Error,
-            "no rigid body called " + join(status.missing) + " is described before the " +
+            "no rigid body called " + listOf(status.missing) + " is described before the " +
                 status.unread + ", and how long that one's description is in bitstream " +
                 toString(*status.version) +
                 " is not known: remove it from the server's assets, or create it anew after the "
                 "robots' rigid bodies; the server has, as far as known: " +
-                join(status.offered)};
+                listOf(status.offered)};
   }
   if (status.offered.empty()) {
     return {Severity::Error,
             "frames come but no rigid body is defined: create the robots' rigid bodies in the "
             "server and switch on the streaming of rigid bodies"};
   }
-  return {Severity::Error, "no rigid body is called " + join(status.missing) +
-                               "; the server has: " + join(status.offered)};
+  return {Severity::Error, "no rigid body is called " + listOf(status.missing) +
+                               "; the server has: " + listOf(status.offered)};
 }
 
 /// Of each of the names its nearest two among those that there are, without repetition.
@@ -166,13 +163,13 @@ Finding topicsFinding(const std::vector<std::string>& unpublished,
                       const std::vector<std::string>& existing) {
   std::string text;
   if (!unpublished.empty()) {
-    text = "nobody publishes " + join(unpublished) + ": ";
+    text = "nobody publishes " + listOf(unpublished) + ": ";
     text += existing.empty() ? "there is no topic of poses at all, is the driver running?"
                              : "are pose_topic and the rigid bodies' names right? There is " +
-                                   join(nearest(unpublished, existing));
+                                   listOf(nearest(unpublished, existing));
   }
   if (!silent.empty()) {
-    text += (text.empty() ? "" : "; ") + ("nothing comes on " + join(silent)) +
+    text += (text.empty() ? "" : "; ") + ("nothing comes on " + listOf(silent)) +
             ": does the driver see these bodies?";
   }
   return text.empty() ? Finding{Severity::Ok, "poses of all robots come"}

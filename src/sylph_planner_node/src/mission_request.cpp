@@ -7,6 +7,7 @@
 #include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/mission/goal_judge.hpp"
 #include "sylph_core/planners/planner.hpp"
+#include "sylph_core/text/join.hpp"
 #include "sylph_planner_node/mission_text.hpp"
 #include "sylph_ros/conversions.hpp"
 
@@ -63,7 +64,7 @@ void requireRobots(const ExecuteMissionGoal& goal, const sylph::Experiment& lab)
 void requirePlanner(const sylph::Mission& mission) {
   const std::vector<std::string>& names = sylph::plannerNames();
   if (std::find(names.begin(), names.end(), mission.planner) == names.end()) {
-    refuse("unknown planner '" + mission.planner + "': allowed are " + joinNames(names));
+    refuse("unknown planner '" + mission.planner + "': allowed are " + sylph::join(names));
   }
   if (!std::isfinite(mission.time_limit_s) || mission.time_limit_s <= 0.0) {
     refuse("time_limit_s " + std::to_string(mission.time_limit_s) + ": must be > 0, or 0 for " +

@@ -33,14 +33,6 @@ std::string resultText(const ExecuteMissionResult& result) {
   return text.str();
 }
 
-std::string joinNames(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
-}
-
 std::string waysText(const sylph::MissionPlan& plan) {
   std::ostringstream text;
   for (std::size_t robot = 0; robot < plan.robots.size(); ++robot) {

@@ -11,6 +11,7 @@
 
 #include "sylph_core/mission/checked_plan.hpp"
 #include "sylph_core/mission/goal_judge.hpp"
+#include "sylph_core/text/join.hpp"
 #include "sylph_planner_node/mission_client.hpp"
 #include "sylph_planner_node/mission_request.hpp"
 #include "sylph_planner_node/mission_text.hpp"
@@ -151,7 +152,7 @@ std::optional<std::string> SendCommand::whatIsMissing() const {
   if (unseen.empty()) {
     return std::nullopt;
   }
-  return "no good pose of " + joinNames(unseen) + " (" + fault + ")";
+  return "no good pose of " + sylph::join(unseen) + " (" + fault + ")";
 }
 
 }  // namespace sylph_planner_node

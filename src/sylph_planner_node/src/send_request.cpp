@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "sylph_core/mission/goal_judge.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph_planner_node {
 namespace {
@@ -76,10 +77,10 @@ sylph::Experiment withParticipants(const SendRequest& request, sylph::Experiment
 }
 
 std::string headlineOf(const SendRequest& request, const sylph::Experiment& lab) {
-  std::string text;
-  for (const auto& [robot, goal] : request.goals) {
-    text += (text.empty() ? "" : ", ") + robot + " to " + toString(goal);
-  }
+  std::string text = sylph::join(request.goals, ", ", [](const auto& robot_and_goal) {
+    const auto& [robot, goal] = robot_and_goal;
+    return robot + " to " + toString(goal);
+  });
   const std::size_t others = lab.robots.size() - request.goals.size();
   if (others > 0) {
     text += "; " + std::to_string(others) + (others == 1 ? " robot " : " robots ");

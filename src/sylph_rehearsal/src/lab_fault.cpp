@@ -8,6 +8,7 @@
 
 #include "sylph_core/files/range.hpp"
 #include "sylph_core/files/yaml_map.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph_rehearsal {
 namespace {
@@ -234,9 +235,8 @@ std::string toYaml(const LabFault& fault, const sylph::Experiment& experiment) {
   std::string text = "{kind: " + toName(fault);
   if (!fault.fault.robots.empty()) {
     text += ", robots: [";
-    for (const std::size_t robot : fault.fault.robots) {
-      text += (text.back() == '[' ? "" : ", ") + experiment.robots.at(robot).name;
-    }
+    text += sylph::join(fault.fault.robots, ", ",
+                        [&](std::size_t robot) { return experiment.robots.at(robot).name; });
     text += "]";
   }
   text += ", at_s: " + number(fault.fault.at_s);

@@ -1,9 +1,11 @@
 #include "sylph_robot_node/options.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "sylph_core/experiment/experiment_control.hpp"
+#include "sylph_core/text/join.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/topics.hpp"
 
@@ -24,15 +26,11 @@ std::string nameFromNamespace(const ros::NodeHandle& nh) {
 }
 
 void requireMember(const sylph::Experiment& experiment, const std::string& robot) {
-  std::string names;
-  for (const sylph::RobotSpec& spec : experiment.robots) {
-    if (spec.name == robot) {
-      return;
-    }
-    names += (names.empty() ? "" : ", ") + spec.name;
+  const std::vector<std::string> names = namesOf(experiment);
+  if (std::find(names.begin(), names.end(), robot) == names.end()) {
+    throw std::runtime_error("robot " + robot + ": not in " + experiment.path + ", which has " +
+                             sylph::join(names));
   }
-  throw std::runtime_error("robot " + robot + ": not in " + experiment.path + ", which has " +
-                           names);
 }
 
 void readBase(sylph_ros::ParameterReader& reader, sylph::RobotControllerOptions& controller) {

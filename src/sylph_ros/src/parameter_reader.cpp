@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <sstream>
 
+#include "sylph_core/text/join.hpp"
+
 namespace sylph_ros {
 namespace {
 
@@ -35,14 +37,6 @@ XmlRpcValue valuesOf(const ros::NodeHandle& nh) {
   XmlRpcValue values;
   nh.getParam(nh.getNamespace(), values);
   return values;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
 }
 
 }  // namespace
@@ -139,7 +133,7 @@ void ParameterReader::read(const std::string& name, std::string& value,
 std::size_t ParameterReader::readWord(const std::string& name,
                                       const std::vector<std::string>& words, std::size_t otherwise,
                                       const std::string& meaning) {
-  const auto* found = find(name, inQuotes(words[otherwise]), joined(words), meaning);
+  const auto* found = find(name, inQuotes(words[otherwise]), sylph::join(words), meaning);
   if (found == nullptr) {
     return otherwise;
   }
@@ -150,7 +144,7 @@ std::size_t ParameterReader::readWord(const std::string& name,
       return static_cast<std::size_t>(place - words.begin());
     }
   }
-  throw error(name, "must be one of " + joined(words));
+  throw error(name, "must be one of " + sylph::join(words));
 }
 
 XmlRpcValue ParameterReader::readList(const std::string& name, const std::string& meaning) {
@@ -201,7 +195,7 @@ void ParameterReader::refuseUnread(const XmlRpcValue& values, const std::string&
       refuseUnread(value, path + "/");
     } else if (!is_read) {
       throw std::runtime_error("parameter " + name_space_ + path + ": unknown; allowed are " +
-                               joined(siblings));
+                               sylph::join(siblings));
     }
   }
 }

@@ -6,6 +6,7 @@
 #include <numeric>
 #include <stdexcept>
 
+#include "sylph_core/text/join.hpp"
 #include "sylph_sim/bounds.hpp"
 
 namespace sylph_sim {
@@ -82,14 +83,14 @@ void apply(const Fault& fault, std::size_t robot, RobotFault& state) {
 }  // namespace
 
 FaultKind faultKindFromName(const std::string& name) {
-  std::string allowed;
   for (const KindRow& row : kKinds) {
     if (name == row.name) {
       return row.kind;
     }
-    allowed += (allowed.empty() ? "" : ", ") + std::string(row.name);
   }
-  throw std::invalid_argument("fault kind '" + name + "': must be one of " + allowed);
+  throw std::invalid_argument(
+      "fault kind '" + name + "': must be one of " +
+      sylph::join(kKinds, ", ", [](const KindRow& row) { return row.name; }));
 }
 
 std::string toName(FaultKind kind) {

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "sylph_core/text/join.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_sim {
@@ -26,14 +27,6 @@ constexpr std::uint32_t kQueue = 1000;
 
 double wallNow() {
   return ros::SteadyTime::now().toSec();
-}
-
-std::string join(const std::vector<std::string>& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
 }
 
 bool hasPublisher(const std::string& topic) {
@@ -146,7 +139,7 @@ void LockStepHost::callMembers(double wall_s) {
   }
   const bool is_late = wall_s - began_wall_s_ > options_.start_limit_s;
   if (!unready.empty() && is_late) {
-    ROS_WARN("the lab begins without %s", join(unready).c_str());
+    ROS_WARN("the lab begins without %s", sylph::join(unready).c_str());
   } else if (ready_since_s_ == 0.0 || wall_s - ready_since_s_ < kSettleWall_s) {
     return;
   }

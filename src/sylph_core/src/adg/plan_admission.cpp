@@ -6,6 +6,7 @@
 #include <set>
 
 #include "sylph_core/mapf/check_plan.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph {
 
@@ -140,15 +141,15 @@ std::optional<std::string> PlanAdmission::reasonNotNew(const PresentExecution& p
 }
 
 std::optional<std::string> PlanAdmission::reasonNotAtStart(const PresentExecution& present) const {
-  std::string reasons;
+  std::vector<std::string> reasons;
   for (std::size_t agent = 0; agent < pending_->robots.size(); ++agent) {
     const std::string& name = pending_->robots[agent];
     const Pose2d& pose = present.monitors[*indexOf(name)].report()->pose.value();
     if (const auto reason = reasonNotIn(pending_->plan.front()[agent], pose)) {
-      reasons += (reasons.empty() ? "" : "; ") + name + " " + *reason;
+      reasons.push_back(name + " " + *reason);
     }
   }
-  return reasons.empty() ? std::nullopt : std::make_optional(reasons);
+  return reasons.empty() ? std::nullopt : std::make_optional(join(reasons, "; "));
 }
 
 std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const Pose2d& pose) const {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "sylph_core/text/join.hpp"
+
 namespace sylph::internal {
 namespace {
 
@@ -136,10 +138,8 @@ Task TaskBuilder::makeTask(AgentId agent, Timestep timestep) {
 void TaskBuilder::refuseRing(std::vector<AgentId> queue, AgentId entry, Timestep timestep) const {
   queue.erase(queue.begin(), std::find(queue.begin(), queue.end(), entry));
   std::rotate(queue.begin(), std::min_element(queue.begin(), queue.end()), queue.end());
-  std::string members;
-  for (const AgentId agent : queue) {
-    members += (members.empty() ? "" : ", ") + name(agent);
-  }
+  const std::string members =
+      join(queue, ", ", [this](const AgentId agent) { return name(agent); });
   throw PlanRefused(timestep, queue,
                     atStep(timestep) + members +
                         (queue.size() == 2 ? " swap their cells" : " rotate") +

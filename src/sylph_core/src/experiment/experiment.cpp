@@ -14,6 +14,7 @@
 #include "sylph_core/grid/coarsen.hpp"
 #include "sylph_core/grid/map_file.hpp"
 #include "sylph_core/mapf/random_instance.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph {
 namespace {
@@ -102,11 +103,7 @@ ExecutionSpec readExecution(const YamlMap& yaml) {
 void requireKnownPlanner(const std::string& name) {
   const std::vector<std::string>& known = plannerNames();
   if (std::find(known.begin(), known.end(), name) == known.end()) {
-    std::string allowed;
-    for (const std::string& candidate : known) {
-      allowed += (allowed.empty() ? "" : ", ") + candidate;
-    }
-    throw std::runtime_error("planner " + inQuotes(name) + ": must be one of " + allowed);
+    throw std::runtime_error("planner " + inQuotes(name) + ": must be one of " + join(known));
   }
 }
 

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "files/text_file.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph {
 namespace {
@@ -17,14 +18,6 @@ constexpr std::size_t kMaxYamlBytes = std::size_t{1} << 20;
 
 std::size_t lineOf(const YAML::Mark& mark) {
   return mark.is_null() ? 0 : static_cast<std::size_t>(mark.line) + 1;
-}
-
-std::string joined(const std::vector<std::string>& words) {
-  std::string text;
-  for (const std::string& word : words) {
-    text += (text.empty() ? "" : ", ") + word;
-  }
-  return text;
 }
 
 /// What stands there, for messages.
@@ -99,9 +92,8 @@ void YamlMap::refuseUnread() const {
     if (!entry.first.IsScalar() ||
         std::find(allowed.begin(), allowed.end(), entry.first.Scalar()) == allowed.end()) {
       const std::string key = entry.first.IsScalar() ? entry.first.Scalar() : "(not a word)";
-      throw fileError(
-          path_, lineOf(entry.first.Mark()),
-          prefix_ + printable(key) + ": unknown key, must be one of " + joined(allowed));
+      throw fileError(path_, lineOf(entry.first.Mark()),
+                      prefix_ + printable(key) + ": unknown key, must be one of " + join(allowed));
     }
     if (!seen.insert(entry.first.Scalar()).second) {
       throw fileError(path_, lineOf(entry.first.Mark()),
@@ -134,7 +126,7 @@ std::string YamlMap::word(const std::string& key, const std::vector<std::string>
   const YAML::Node node = require(key);
   if (!node.IsScalar() ||
       std::find(allowed.begin(), allowed.end(), node.Scalar()) == allowed.end()) {
-    throw errorAt(node, key, shown(node) + ", must be one of " + joined(allowed));
+    throw errorAt(node, key, shown(node) + ", must be one of " + join(allowed));
   }
   return node.Scalar();
 }
@@ -208,7 +200,7 @@ std::vector<std::string> YamlMap::words(const std::string& key,
   for (const std::string& value : values) {
     if (std::find(allowed.begin(), allowed.end(), value) == allowed.end()) {
       throw errorAt(require(key), key,
-                    "has " + inQuotes(value) + ", each must be one of " + joined(allowed));
+                    "has " + inQuotes(value) + ", each must be one of " + join(allowed));
     }
   }
   return values;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <unordered_map>
 
+#include "sylph_core/text/join.hpp"
+
 namespace sylph {
 namespace {
 
@@ -91,14 +93,6 @@ std::optional<PlanViolation> checkMoves(const Configuration& from, const Configu
   return std::nullopt;
 }
 
-std::string listOf(const std::vector<AgentId>& agents) {
-  std::string text;
-  for (const AgentId agent : agents) {
-    text += (text.empty() ? "" : ", ") + std::to_string(agent);
-  }
-  return text;
-}
-
 /// @param occupantOf  of a cell at the begin of the timestep: the agent, or -1
 template <typename OccupantOf>
 std::vector<std::vector<AgentId>> rotationsOf(const Configuration& to, OccupantOf occupantOf) {
@@ -172,7 +166,9 @@ std::optional<PlanViolation> checkPlan(const Instance& instance, const Plan& pla
           rotationsOf(plan[t], [&](const Cell& cell) { return occupants.at(cell); });
       if (!rotations.empty()) {
         return violation(ViolationKind::Rotation, t, rotations.front(),
-                         "agents " + listOf(rotations.front()) + " rotate");
+                         "agents " + join(rotations.front(), ", ", [](AgentId agent) {
+                           return std::to_string(agent);
+                         }) + " rotate");
       }
     }
     occupants.clear(plan[t - 1]);

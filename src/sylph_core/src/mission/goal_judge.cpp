@@ -5,6 +5,7 @@
 
 #include "sylph_core/files/nearest_names.hpp"
 #include "sylph_core/grid/components.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph {
 namespace {
@@ -14,15 +15,6 @@ Grid withObstacles(Grid grid, const CellOwners& bystanders) {
     grid.setObstacle(cell);
   }
   return grid;
-}
-
-template <typename Names>
-std::string joined(const Names& names) {
-  std::string text;
-  for (const std::string& name : names) {
-    text += (text.empty() ? "" : ", ") + name;
-  }
-  return text;
 }
 
 }  // namespace
@@ -74,7 +66,7 @@ std::string GoalJudge::unreachable(const Cell& goal, const Cell& start) const {
       }
     }
   }
-  return text + " past robots without part in the mission: " + joined(in_the_way);
+  return text + " past robots without part in the mission: " + join(in_the_way);
 }
 
 int GoalJudge::labelOf(const std::vector<int>& labels, const Cell& cell) const {
@@ -110,7 +102,7 @@ std::optional<Cell> nearestFreeCell(const Grid& grid, const Cell& cell) {
 }
 
 std::string unknownRobot(const std::string& name, const std::vector<std::string>& lab) {
-  return "unknown robot '" + name + "'; the nearest names are " + joined(nearestNames(name, lab));
+  return "unknown robot '" + name + "'; the nearest names are " + join(nearestNames(name, lab));
 }
 
 }  // namespace sylph

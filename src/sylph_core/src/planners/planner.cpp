@@ -7,6 +7,7 @@
 #include "sylph_core/planners/lacam_planner.hpp"
 #include "sylph_core/planners/policy_guide.hpp"
 #include "sylph_core/planners/stepwise_planner.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph {
 namespace {
@@ -65,11 +66,8 @@ std::unique_ptr<Planner> makePlanner(const std::string& name,
   }
   const auto use = policyUses().find(name);
   if (use == policyUses().end()) {
-    std::string allowed;
-    for (const std::string& known : plannerNames()) {
-      allowed += (allowed.empty() ? "" : ", ") + known;
-    }
-    throw std::invalid_argument("planner '" + name + "' is unknown: must be one of " + allowed);
+    throw std::invalid_argument("planner '" + name + "' is unknown: must be one of " +
+                                join(plannerNames()));
   }
   if (policy == nullptr) {
     throw std::invalid_argument("planner '" + name + "' needs the weights of a policy");

@@ -6,6 +6,7 @@
 #include "sylph_core/grid/action.hpp"
 #include "sylph_core/policy/network.hpp"
 #include "sylph_core/policy/observation.hpp"
+#include "sylph_core/text/join.hpp"
 
 // Reading the network's weights: which tensors there are, of which shape, and how they are laid out
 // in memory.
@@ -25,14 +26,6 @@ std::vector<std::string> observationLines() {
     lines.push_back(entry.toText());
   }
   return lines;
-}
-
-std::string join(const std::vector<std::string>& lines) {
-  std::string text;
-  for (const std::string& line : lines) {
-    text += (text.empty() ? "" : "\n") + line;
-  }
-  return text;
 }
 
 /// @throws std::invalid_argument naming the first entry that is another than this build's
@@ -199,7 +192,7 @@ NetworkShape NetworkShape::fromMetadata(const std::map<std::string, std::string>
 
 std::map<std::string, std::string> NetworkShape::toMetadata() const {
   std::map<std::string, std::string> metadata = {{"architecture", kArchitecture},
-                                                 {"observation", join(observationLines())}};
+                                                 {"observation", join(observationLines(), "\n")}};
   for (const auto& [entry, member] : members()) {
     metadata[entry] = std::to_string(this->*member);
   }

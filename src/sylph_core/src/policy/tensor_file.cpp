@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sylph_core/text/join.hpp"
+
 namespace sylph {
 namespace {
 
@@ -67,11 +69,7 @@ std::string readAll(const std::string& path) {
 }  // namespace
 
 std::string toString(const std::vector<std::int64_t>& shape) {
-  std::string text;
-  for (const std::int64_t side : shape) {
-    text += (text.empty() ? "" : ", ") + std::to_string(side);
-  }
-  return "[" + text + "]";
+  return "[" + join(shape, ", ", [](std::int64_t side) { return std::to_string(side); }) + "]";
 }
 
 TensorFile loadTensorFile(const std::string& path) {

@@ -4,7 +4,6 @@
 
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "sylph_core/execution/mission_plan.hpp"
 
@@ -17,9 +16,6 @@ std::string progressText(const sylph_msgs::ExecuteMissionFeedback& feedback, std
 
 /// Several lines: outcome, message, figures.
 std::string resultText(const sylph_msgs::ExecuteMissionResult& result);
-
-/// Names joined by ", ", e.g. of the robots that are waited for.
-std::string joinNames(const std::vector<std::string>& names);
 
 /// One line per robot: from where to where, how many moves, when it arrives.
 std::string waysText(const sylph::MissionPlan& plan);
