@@ -51,7 +51,7 @@ struct MissionStart {
 /// toInstance()
 MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
                      const RobotPoses& poses, bool ignores_unseen_robots,
-                     double bystander_distance_m = 0.0);
+                     double bystander_distance_m);
 
 /// A plan that was shown before anybody moved, for robots that stand where they stand now.
 /// @param plan  of this mission
