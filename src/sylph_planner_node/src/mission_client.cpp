@@ -129,12 +129,12 @@ void MissionClient::joinLockStep() {
 }
 
 void MissionClient::waitForServer(Clock::time_point deadline) {
-  Clock::time_point next_word = Clock::now() + seconds(options_.progress_period_s);
+  Clock::time_point next_reminder = Clock::now() + seconds(options_.progress_period_s);
   while (ros::ok() && !client_.isServerConnected()) {
-    if (Clock::now() > next_word) {
+    if (Clock::now() > next_reminder) {
       say("waiting for the planner: nobody serves the action " +
           nh_.resolveName(sylph_ros::kExecuteMissionAction) + " yet");
-      next_word += seconds(options_.progress_period_s);
+      next_reminder += seconds(options_.progress_period_s);
     }
     if (Clock::now() > deadline) {
       throw std::runtime_error("no planner: nobody serves the action " +
@@ -151,7 +151,7 @@ void MissionClient::waitForPoses(Clock::time_point deadline) {
     const boost::function<void(const geometry_msgs::PoseStampedConstPtr&)> note =
         [has_come](const geometry_msgs::PoseStampedConstPtr&) { *has_come = true; };
     const ros::Subscriber subscriber = nh_.subscribe<geometry_msgs::PoseStamped>(topic, 1, note);
-    Clock::time_point next_word = Clock::now() + seconds(options_.progress_period_s);
+    Clock::time_point next_reminder = Clock::now() + seconds(options_.progress_period_s);
     while (ros::ok() && !*has_come) {
       if (Clock::now() > deadline) {
         std::string message =
@@ -161,12 +161,12 @@ void MissionClient::waitForPoses(Clock::time_point deadline) {
         }
         throw std::runtime_error(message);
       }
-      if (Clock::now() > next_word) {
+      if (Clock::now() > next_reminder) {
         say("waiting for a pose on " + topic);
         for (const std::string& finding : findings()) {
           say("    " + finding);
         }
-        next_word += seconds(options_.progress_period_s);
+        next_reminder += seconds(options_.progress_period_s);
       }
       std::this_thread::sleep_for(kPollPeriod);
     }

@@ -24,7 +24,7 @@ namespace {
 
 constexpr double kPoseTimeoutS = 0.5;
 const ros::WallDuration kPollPeriod{0.05};
-constexpr double kWordPeriodS = 2.0;
+constexpr double kReminderPeriodS = 2.0;
 
 ros::NodeHandle servedBy(const ros::NodeHandle& nh, ros::CallbackQueue& queue) {
   ros::NodeHandle own(nh);
@@ -117,15 +117,15 @@ int SendCommand::showPlan(const sylph_msgs::ExecuteMissionGoal& goal) {
 
 void SendCommand::waitUntilReady() {
   const ros::WallTime begin = ros::WallTime::now();
-  ros::WallTime next_word = begin + ros::WallDuration(kWordPeriodS);
+  ros::WallTime next_reminder = begin + ros::WallDuration(kReminderPeriodS);
   for (auto missing = whatIsMissing(); missing && ros::ok(); missing = whatIsMissing()) {
     const ros::WallTime now = ros::WallTime::now();
     if ((now - begin).toSec() > request_.wait_s) {
       throw std::runtime_error(*missing);
     }
-    if (now > next_word) {
+    if (now > next_reminder) {
       std::cout << "waiting: " << *missing << std::endl;
-      next_word += ros::WallDuration(kWordPeriodS);
+      next_reminder += ros::WallDuration(kReminderPeriodS);
     }
     queue_.callAvailable(kPollPeriod);
   }
