@@ -1,7 +1,6 @@
 #include "sylph_planner_node/plan_server.hpp"
 
 #include <chrono>
-#include <exception>
 #include <stdexcept>
 #include <utility>
 #include <variant>
@@ -94,16 +93,9 @@ void PlanServer::start() {
               options_.limits.ignores_unseen_robots, bystanderDistance(lab_));
   waits_for_.clear();
   is_for_wanted_ = true;
-  planning_ =
-      std::async(std::launch::async, [mission = *wanted_, begin]() -> sylph::PlanningOutcome {
-        try {
-          return planMission(mission, begin.instance);
-        } catch (const MissionFailure& failure) {
-          return failure;
-        } catch (const std::exception& error) {
-          return MissionFailure(MissionOutcome::NoPlan, error.what());
-        }
-      });
+  planning_ = std::async(std::launch::async, [mission = *wanted_, begin] {
+    return sylph::outcomeOf([&] { return planMission(mission, begin.instance); });
+  });
 }
 
 void PlanServer::onPlanned(sylph::PlanningOutcome outcome) {

@@ -15,18 +15,20 @@ using PlanningFunction = CheckedPlan (*)(const Mission&, const Instance&);
 
 mission_command::Plan planCommand(PlanningFunction plan, const Mission& mission,
                                   const Instance& instance) {
-  return {[plan, mission, instance]() -> PlanningOutcome {
-    try {
-      return plan(mission, instance);
-    } catch (const MissionFailure& failure) {
-      return failure;
-    } catch (const std::exception& error) {
-      return MissionFailure(MissionOutcome::NoPlan, error.what());
-    }
-  }};
+  return {[plan, mission, instance] { return outcomeOf([&] { return plan(mission, instance); }); }};
 }
 
 }  // namespace
+
+PlanningOutcome outcomeOf(const std::function<CheckedPlan()>& plan) {
+  try {
+    return plan();
+  } catch (const MissionFailure& failure) {
+    return failure;
+  } catch (const std::exception& error) {
+    return MissionFailure(MissionOutcome::NoPlan, error.what());
+  }
+}
 
 void MissionLifecycle::supersede(double now_s) {
   if (stage_ != Stage::Idle) {

@@ -448,6 +448,17 @@ TEST_F(MissionLifecycleTest, GoesOnWithItsMissionAfterARestart) {
   EXPECT_EQ(0U, count<mission_command::Resume>());
 }
 
+TEST(OutcomeOfTest, IsThePlanOrWhyThereIsNone) {
+  EXPECT_TRUE(std::holds_alternative<CheckedPlan>(outcomeOf([] { return CheckedPlan(); })));
+  const PlanningOutcome failed = outcomeOf(
+      []() -> CheckedPlan { throw MissionFailure(MissionOutcome::NoPose, "no pose of cf1"); });
+  EXPECT_EQ(MissionOutcome::NoPose, std::get<MissionFailure>(failed).outcome());
+  const PlanningOutcome broken =
+      outcomeOf([]() -> CheckedPlan { throw std::runtime_error("bad weights"); });
+  EXPECT_EQ(MissionOutcome::NoPlan, std::get<MissionFailure>(broken).outcome());
+  EXPECT_STREQ("bad weights", std::get<MissionFailure>(broken).what());
+}
+
 TEST_F(MissionLifecycleTest, EndsARequestThatIsNoMission) {
   lifecycle_.fail({MissionOutcome::BadRequest, "unknown robot 'robot_9'"}, now_s_);
   take();

@@ -34,6 +34,9 @@ struct MissionLimits {
 /// A plan, or why there is none.
 using PlanningOutcome = std::variant<CheckedPlan, MissionFailure>;
 
+/// What planning comes to. An exception that is no MissionFailure becomes one (NoPlan).
+PlanningOutcome outcomeOf(const std::function<CheckedPlan()>& plan);
+
 /// What a mission wants to be done.
 namespace mission_command {
 
