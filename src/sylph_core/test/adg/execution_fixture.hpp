@@ -90,6 +90,11 @@ struct Robot {
   }
 };
 
+/// A queue of three that moves two cells east, robot 2 in front.
+inline Plan queue() {
+  return {{{0, 0}, {0, 1}, {0, 2}}, {{0, 1}, {0, 2}, {0, 3}}, {{0, 2}, {0, 3}, {0, 4}}};
+}
+
 /// An Execution with robots around it and a clock that the test moves.
 class ExecutionTest : public testing::Test {
  protected:
