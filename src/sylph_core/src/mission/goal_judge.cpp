@@ -86,21 +86,6 @@ void requireGoals(const Mission& mission) {
   }
 }
 
-std::optional<Cell> nearestFreeCell(const Grid& grid, const Cell& cell) {
-  std::optional<Cell> nearest;
-  long nearest_distance = 0;
-  for (const Cell& candidate : grid.freeCells()) {
-    const long rows = candidate.row - cell.row;
-    const long cols = candidate.col - cell.col;
-    const long distance = rows * rows + cols * cols;
-    if (!nearest || distance < nearest_distance) {
-      nearest = candidate;
-      nearest_distance = distance;
-    }
-  }
-  return nearest;
-}
-
 std::string unknownRobot(const std::string& name, const std::vector<std::string>& lab) {
   return "unknown robot '" + name + "'; the nearest names are " + join(nearestNames(name, lab));
 }

@@ -56,16 +56,6 @@ TEST(GoalJudgeTest, DoesNotAskForTheWayOfARobotThatIsNotSeen) {
   EXPECT_NE("", GoalJudge(map()).refusal("robot_0", {0, 6}, std::nullopt));
 }
 
-TEST(NearestFreeCellTest, IsTheCellItselfIfItIsFree) {
-  EXPECT_EQ((Cell{1, 1}), nearestFreeCell(map(), {1, 1}));
-}
-
-TEST(NearestFreeCellTest, LeavesObstaclesAndWhatLiesOutside) {
-  EXPECT_EQ((Cell{0, 2}), nearestFreeCell(map(), {0, 3}));
-  EXPECT_EQ((Cell{2, 7}), nearestFreeCell(map(), {9, 9}));
-  EXPECT_FALSE(nearestFreeCell(Grid::fromText("#\n"), {0, 0}));
-}
-
 TEST(UnknownRobotTest, NamesTheNearest) {
   EXPECT_EQ("unknown robot 'robot3'; the nearest names are robot_3, robot_1",
             unknownRobot("robot3", {"alpha", "robot_1", "robot_3"}));

@@ -44,11 +44,6 @@ class GoalJudge {
 /// @throws MissionFailure (BadRequest) with the first refusal
 void requireGoals(const Mission& mission);
 
-/// The free cell that is nearest to `cell`, of those equally near the first by rows; itself if it
-/// is free. A cell outside may be asked for.
-/// @return nothing if no cell is free
-std::optional<Cell> nearestFreeCell(const Grid& grid, const Cell& cell);
-
 /// One line for a name that no robot has, with the names that may have been meant.
 /// @param lab  the names that there are
 std::string unknownRobot(const std::string& name, const std::vector<std::string>& lab);
