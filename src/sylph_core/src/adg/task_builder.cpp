@@ -100,7 +100,7 @@ void TaskBuilder::makeTasksBehind(AgentId first, Timestep timestep, std::vector<
       refuseEntry(agent, occupant, timestep);
     }
     if (ahead.queued_in == timestep) {
-      refuseRing(std::move(queue), occupant, timestep);
+      refuseRotation(std::move(queue), occupant, timestep);
     }
     agent = occupant;
   }
@@ -135,7 +135,8 @@ Task TaskBuilder::makeTask(AgentId agent, Timestep timestep) {
   return task;
 }
 
-void TaskBuilder::refuseRing(std::vector<AgentId> queue, AgentId entry, Timestep timestep) const {
+void TaskBuilder::refuseRotation(std::vector<AgentId> queue, AgentId entry,
+                                 Timestep timestep) const {
   queue.erase(queue.begin(), std::find(queue.begin(), queue.end(), entry));
   std::rotate(queue.begin(), std::min_element(queue.begin(), queue.end()), queue.end());
   const std::string members =

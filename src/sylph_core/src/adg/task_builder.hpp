@@ -59,7 +59,8 @@ class TaskBuilder {
   void setTargets(const std::vector<AgentId>& agents, const Plan& plan, Timestep timestep);
   void makeTasksBehind(AgentId first, Timestep timestep, std::vector<Task>& tasks);
   Task makeTask(AgentId agent, Timestep timestep);
-  [[noreturn]] void refuseRing(std::vector<AgentId> queue, AgentId entry, Timestep timestep) const;
+  [[noreturn]] void refuseRotation(std::vector<AgentId> queue, AgentId entry,
+                                   Timestep timestep) const;
   [[noreturn]] void refuseEntry(AgentId agent, AgentId occupant, Timestep timestep);
 
   const std::vector<std::string>& names_;
