@@ -12,6 +12,7 @@
 #include "sylph_adg_central/separation_monitor_node.hpp"
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/topics.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 namespace sylph_adg_central {
 namespace {
@@ -38,13 +39,11 @@ class SeparationMonitorTest : public testing::Test {
 
   /// Robot 1 stands `gap_m` in front of robot 0; both report so until the condition holds.
   bool spinUntil(const std::function<bool()>& condition) {
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(10.0);
-    while (!condition() && ros::WallTime::now() < deadline) {
+    return sylph_ros::waitUntil(condition, [this] {
       publish(0, 1.0);
       publish(1, 1.0 + 0.23 + gap_m_);
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-    }
-    return condition();
+    });
   }
 
   void publish(std::size_t robot, double x_m) {

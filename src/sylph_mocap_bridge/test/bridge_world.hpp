@@ -14,23 +14,11 @@
 
 #include "sylph_mocap_bridge/mocap_bridge_node.hpp"
 #include "sylph_natnet/server.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 namespace sylph_mocap_bridge::test {
 
-constexpr std::chrono::seconds kDeadline{20};
-
-/// Waits for a condition.
-/// @return false if it did not come true before the deadline
-inline bool waitFor(const std::function<bool()>& condition) {
-  const auto deadline = std::chrono::steady_clock::now() + kDeadline;
-  while (!condition()) {
-    if (std::chrono::steady_clock::now() > deadline) {
-      return false;
-    }
-    std::this_thread::sleep_for(std::chrono::milliseconds(2));
-  }
-  return true;
-}
+using sylph_ros::waitUntil;
 
 /// Definitions with ids 11, 12, ...
 inline sylph_natnet::ModelDefinitions definitionsOf(const std::vector<std::string>& names) {
@@ -141,7 +129,7 @@ class Recorder {
   }
   bool waitForMore(std::size_t more) const {
     const std::size_t enough = count() + more;
-    return waitFor([&] { return count() >= enough; });
+    return waitUntil([&] { return count() >= enough; });
   }
 
  private:

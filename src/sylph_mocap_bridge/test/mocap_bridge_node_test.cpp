@@ -17,7 +17,7 @@ namespace {
 
 using geometry_msgs::PoseStamped;
 using test::Recorder;
-using test::waitFor;
+using test::waitUntil;
 
 constexpr double kSpeedMps = 0.2;
 
@@ -223,14 +223,14 @@ TEST_F(MocapBridgeNodeTest, FollowsNamesThatChange) {
   startNode();
   ASSERT_TRUE(second_.waitForMore(5));
   server_->setDefinitions(test::definitionsOf({"red", "lamp"}));
-  ASSERT_TRUE(waitFor([this] {
+  ASSERT_TRUE(waitUntil([this] {
     const std::size_t before = second_.count();
     first_.waitForMore(20);
     return second_.count() == before;
   }));
   // Now the standing body is robot_0.
   server_->setDefinitions(test::definitionsOf({"lamp", "red"}));
-  ASSERT_TRUE(waitFor([this] {
+  ASSERT_TRUE(waitUntil([this] {
     first_.waitForMore(1);
     return std::abs(first_.messages().back().pose.position.y + 0.25) < 1e-6;
   }));
@@ -261,7 +261,7 @@ TEST_F(MocapBridgeNodeTest, TakesPosesFromTopics) {
   pose.pose.position.y = -0.25;
   pose.pose.position.z = 0.12;
   pose.pose.orientation.w = 1.0;
-  ASSERT_TRUE(waitFor([&] {
+  ASSERT_TRUE(waitUntil([&] {
     pose.header.stamp = ros::Time::now();
     driver.publish(pose);
     return second_.count() > 0;
@@ -277,7 +277,7 @@ TEST_F(MocapBridgeNodeTest, TakesPosesFromTopics) {
   bad.header.stamp = last;
   driver.publish(bad);
   second_.clear();
-  ASSERT_TRUE(waitFor([&] {
+  ASSERT_TRUE(waitUntil([&] {
     pose.header.stamp = ros::Time::now();
     driver.publish(pose);
     return second_.count() > 0;
@@ -307,7 +307,7 @@ TEST_F(MocapBridgeNodeTest, NamesAllPoseTopicsThatLack) {
   parameters_.set("input", "pose_topics");
   startNode();
   // Its own topics of poses are none of the driver's.
-  EXPECT_TRUE(waitFor([&] {
+  EXPECT_TRUE(waitUntil([&] {
     return summaryOf(diagnostics, "link") ==
            "nobody publishes /vrpn_client_node/red/pose, /vrpn_client_node/bluecar/pose: there is "
            "no topic of poses at all, is the driver running?";
@@ -339,18 +339,19 @@ TEST_F(MocapBridgeNodeTest, TwoBodiesOfOneTopicAreRefused) {
 TEST_F(MocapBridgeNodeTest, DiagnosticsTellWhatIsWrong) {
   Recorder<diagnostic_msgs::DiagnosticArray> diagnostics("/diagnostics");
   const auto linkSays = [&diagnostics](const std::string& part) {
-    return waitFor([&] { return summaryOf(diagnostics, "link").find(part) != std::string::npos; });
+    return waitUntil(
+        [&] { return summaryOf(diagnostics, "link").find(part) != std::string::npos; });
   };
   startServer(zUpFrame);
   server_.reset();
   startNode();
   EXPECT_TRUE(linkSays("no answer from 127.0.0.1"));
-  EXPECT_TRUE(waitFor([&] {
+  EXPECT_TRUE(waitUntil([&] {
     return summaryOf(diagnostics, "bodies").find("robot_1 is not seen") != std::string::npos;
   }));
   startServer(zUpFrame);
   EXPECT_TRUE(linkSays("all bodies are known"));
-  EXPECT_TRUE(waitFor([&] { return summaryOf(diagnostics, "bodies") == "all bodies are seen"; }));
+  EXPECT_TRUE(waitUntil([&] { return summaryOf(diagnostics, "bodies") == "all bodies are seen"; }));
   server_->setDefinitions(test::definitionsOf({"red", "red"}));
   EXPECT_TRUE(linkSays("more than one rigid body is called red"));
 }
@@ -362,7 +363,7 @@ TEST_F(MocapBridgeNodeTest, AWrongBitstreamGivesNoPosesAndIsNamed) {
   options.version = {2, 11};
   startServer(zUpFrame, options);
   startNode();
-  EXPECT_TRUE(waitFor([&] {
+  EXPECT_TRUE(waitUntil([&] {
     return summaryOf(diagnostics, "link") ==
            "data are not what bitstream 2.9 says (frame: 4 bytes are left behind its end): the "
            "server says that it streams 2.11: leave bitstream empty";

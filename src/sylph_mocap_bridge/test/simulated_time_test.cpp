@@ -83,7 +83,7 @@ TEST_F(SimulatedTimeTest, GoesOnWhenTheClockIsSetBack) {
   ASSERT_TRUE(poses_.waitForMore(200));
   const ros::Time before = poses_.messages().back().header.stamp;
   set_back_s_ = 60.0;
-  ASSERT_TRUE(test::waitFor([&] { return poses_.messages().back().header.stamp < before; }));
+  ASSERT_TRUE(test::waitUntil([&] { return poses_.messages().back().header.stamp < before; }));
   EXPECT_TRUE(poses_.waitForMore(200));
 }
 

@@ -9,7 +9,7 @@
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
-#include "wait_until.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 namespace sylph_planner_node {
 
@@ -112,7 +112,7 @@ bool MockCentral::waitForStatesOnTheirWay() const {
     return published_;
   };
   const std::uint32_t before = published();
-  return waitUntil([&] { return published() >= before + 3; });
+  return sylph_ros::waitUntil([&] { return published() >= before + 3; });
 }
 
 AdgState MockCentral::state() const {

@@ -6,9 +6,11 @@
 
 #include "mission/small_lab.hpp"
 #include "mock_central.hpp"
-#include "wait_until.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 namespace sylph_planner_node {
+
+using sylph_ros::waitUntil;
 
 /// The node under test runs beside this program; central node, robots and motion capture are mocks.
 class PlannerFixture : public testing::Test {

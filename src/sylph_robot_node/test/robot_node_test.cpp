@@ -16,13 +16,14 @@
 #include <utility>
 
 #include "mock_lab.hpp"
-#include "wait_until.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 namespace sylph_robot_node {
 namespace {
 
 using sylph_msgs::AdgState;
 using sylph_msgs::TaskReport;
+using sylph_ros::waitUntil;
 
 double speedOf(const geometry_msgs::Twist& command) {
   return std::hypot(command.linear.x, command.linear.y);

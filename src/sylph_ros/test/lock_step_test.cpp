@@ -10,6 +10,7 @@
 
 #include "sylph_ros/steady_clock.hpp"
 #include "sylph_ros/topics.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 /// One node in lock step; the test is the simulator, and says ticks again as the simulator does.
 namespace sylph_ros {
@@ -31,12 +32,10 @@ class LockStepTest : public testing::Test {
 
   /// @return whether the condition holds before 20 s of wall time have passed
   bool sayUntil(const std::function<bool()>& condition) {
-    const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(20.0);
-    while (ros::SteadyTime::now() < deadline && !condition()) {
+    return waitUntil(condition, [this] {
       ticks_.publish(tick_);
       ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.02));
-    }
-    return condition();
+    });
   }
 
   void nextTick(std::uint32_t announced) {

@@ -10,12 +10,11 @@
 #include <map>
 
 #include "sylph_ros/topics.hpp"
+#include "sylph_ros/wait_until.hpp"
 #include "test_scene.hpp"
 
 namespace sylph_rviz {
 namespace {
-
-constexpr double kDeadlineS = 10.0;
 
 /// The node in a namespace of its own, fed by the test, and a picture as RViz would keep it.
 class MarkersNodeTest : public ::testing::Test {
@@ -58,11 +57,8 @@ class MarkersNodeTest : public ::testing::Test {
   }
 
   static bool waitUntil(const std::function<bool()>& condition) {
-    const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(kDeadlineS);
-    while (!condition() && ros::SteadyTime::now() < deadline) {
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05));
-    }
-    return condition();
+    return sylph_ros::waitUntil(
+        condition, [] { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.05)); });
   }
 
   ros::NodeHandle suite_{"sylph"};

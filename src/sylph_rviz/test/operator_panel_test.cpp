@@ -16,12 +16,11 @@
 #include <future>
 
 #include "sylph_ros/topics.hpp"
+#include "sylph_ros/wait_until.hpp"
 #include "test_scene.hpp"
 
 namespace sylph_rviz {
 namespace {
-
-constexpr double kDeadlineS = 20.0;
 
 /// The panel, without RViz around it, and mocks of the nodes that it talks with.
 class OperatorPanelTest : public ::testing::Test {
@@ -46,13 +45,11 @@ class OperatorPanelTest : public ::testing::Test {
 
   /// Until then states are sent and the panel is served as RViz does it.
   bool waitUntil(const std::function<bool()>& condition) {
-    const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(kDeadlineS);
-    while (!condition() && ros::SteadyTime::now() < deadline) {
+    return sylph_ros::waitUntil(condition, [this] {
       states_.publish(state_);
       QApplication::processEvents();
       QThread::msleep(20);
-    }
-    return condition();
+    });
   }
 
   QPushButton& button(const char* name) { return *panel_.findChild<QPushButton*>(name); }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "sylph_ros/topics.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 /// The simulator's part; the test is the nodes.
 namespace sylph_sim {
@@ -49,11 +50,9 @@ class LockStepHostTest : public testing::Test {
 
   /// @return whether the lab comes so far before 20 s of wall time have passed
   bool reaches(int tick) const {
-    const ros::SteadyTime deadline = ros::SteadyTime::now() + ros::WallDuration(20.0);
-    while (ros::SteadyTime::now() < deadline && advanced_ < tick) {
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.002));
-    }
-    return advanced_ >= tick;
+    return sylph_ros::waitUntil(
+        [this, tick] { return advanced_ >= tick; },
+        [] { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.002)); });
   }
 
   LockStepHost::Moment advance() {

@@ -17,6 +17,7 @@
 #include "sylph_natnet/model_codec.hpp"
 #include "sylph_natnet/udp_socket.hpp"
 #include "sylph_ros/topics.hpp"
+#include "sylph_ros/wait_until.hpp"
 
 /// The simulator as its users see it: two robots, see two_robots.yaml, at four times real time.
 namespace sylph_sim {
@@ -40,14 +41,8 @@ class SimNodeTest : public testing::Test {
   /// Handles messages until the condition holds.
   /// @return whether it does before 20 s of wall time have passed
   static bool waitUntil(const std::function<bool()>& condition) {
-    const ros::WallTime deadline = ros::WallTime::now() + ros::WallDuration(20.0);
-    while (ros::ok() && ros::WallTime::now() < deadline) {
-      ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01));
-      if (condition()) {
-        return true;
-      }
-    }
-    return false;
+    return sylph_ros::waitUntil(
+        condition, [] { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.01)); });
   }
 
   /// Commands one robot until the condition holds, then stops it.
