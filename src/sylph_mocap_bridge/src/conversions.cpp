@@ -10,10 +10,10 @@ namespace {
 /// Of what is not measured.
 constexpr double kUnknownVariance = 1e6;
 
-std_msgs::Header headerOf(const RobotState& state) {
+std_msgs::Header headerOf(const ReliablePose& pose) {
   std_msgs::Header header;
   header.frame_id = sylph_ros::kMapFrame;
-  header.stamp = ros::Time(state.stamp_s);
+  header.stamp = ros::Time(pose.stamp_s);
   return header;
 }
 
@@ -42,40 +42,40 @@ geometry_msgs::Pose toMessage(const Pose& pose) {
   return message;
 }
 
-geometry_msgs::PoseStamped toPoseStamped(const RobotState& state) {
+geometry_msgs::PoseStamped toPoseStamped(const ReliablePose& pose) {
   geometry_msgs::PoseStamped message;
-  message.header = headerOf(state);
-  message.pose = toMessage(state.map_from_robot);
+  message.header = headerOf(pose);
+  message.pose = toMessage(pose.map_from_robot);
   return message;
 }
 
-geometry_msgs::TransformStamped toTransform(const RobotState& state, const std::string& robot) {
+geometry_msgs::TransformStamped toTransform(const ReliablePose& pose, const std::string& robot) {
   geometry_msgs::TransformStamped message;
-  message.header = headerOf(state);
+  message.header = headerOf(pose);
   message.child_frame_id = robot;
-  message.transform.translation.x = state.map_from_robot.position_m.x();
-  message.transform.translation.y = state.map_from_robot.position_m.y();
-  message.transform.translation.z = state.map_from_robot.position_m.z();
-  message.transform.rotation = toMessage(state.map_from_robot.orientation);
+  message.transform.translation.x = pose.map_from_robot.position_m.x();
+  message.transform.translation.y = pose.map_from_robot.position_m.y();
+  message.transform.translation.z = pose.map_from_robot.position_m.z();
+  message.transform.rotation = toMessage(pose.map_from_robot.orientation);
   return message;
 }
 
-nav_msgs::Odometry toOdometry(const RobotState& state, const std::string& robot,
+nav_msgs::Odometry toOdometry(const ReliablePose& pose, const std::string& robot,
                               const TrackerOptions& noise) {
-  assert(state.velocity);
+  assert(pose.velocity);
   nav_msgs::Odometry message;
-  message.header = headerOf(state);
+  message.header = headerOf(pose);
   message.child_frame_id = robot;
-  message.pose.pose = toMessage(state.map_from_robot);
+  message.pose.pose = toMessage(pose.map_from_robot);
   for (std::size_t i = 0; i < 3; ++i) {
     message.pose.covariance[diagonal(i)] = noise.position_sigma_m * noise.position_sigma_m;
     message.pose.covariance[diagonal(i + 3)] = noise.heading_sigma_rad * noise.heading_sigma_rad;
     message.twist.covariance[diagonal(i)] = kUnknownVariance;
     message.twist.covariance[diagonal(i + 3)] = kUnknownVariance;
   }
-  const Velocity& velocity = *state.velocity;
+  const Velocity& velocity = *pose.velocity;
   const sylph::Twist2d twist_robot = sylph::robotFromMap(
-      {velocity.x_mps, velocity.y_mps, velocity.yaw_radps}, yawOf(state.map_from_robot));
+      {velocity.x_mps, velocity.y_mps, velocity.yaw_radps}, yawOf(pose.map_from_robot));
   message.twist.twist.linear.x = twist_robot.x_mps;
   message.twist.twist.linear.y = twist_robot.y_mps;
   message.twist.twist.angular.z = twist_robot.turn_radps;

@@ -60,16 +60,16 @@ std::unique_ptr<MeasurementInput> MocapBridgeNode::makeInput() {
 }
 
 void MocapBridgeNode::onMeasurements(const std::vector<Measurement>& measurements, double now_s) {
-  std::vector<RobotState> states;
+  std::vector<ReliablePose> poses;
   {
     const std::lock_guard<std::mutex> lock(mutex_);
     for (const Measurement& measurement : measurements) {
-      if (const auto state = tracks_.update(measurement, now_s)) {
-        states.push_back(*state);
+      if (const auto pose = tracks_.update(measurement, now_s)) {
+        poses.push_back(*pose);
       }
     }
   }
-  publishers_.publish(states);
+  publishers_.publish(poses);
 }
 
 void MocapBridgeNode::onRestart() {

@@ -29,18 +29,18 @@ RobotPublishers::RobotPublishers(ros::NodeHandle& nh, const sylph_ros::SteadyClo
   }
 }
 
-void RobotPublishers::publish(const std::vector<RobotState>& states) {
+void RobotPublishers::publish(const std::vector<ReliablePose>& poses) {
   std::vector<geometry_msgs::TransformStamped> transforms;
-  for (const RobotState& state : states) {
-    Robot& robot = robots_.at(state.robot);
-    if (robot.pose_gate.passes(state.stamp_s)) {
-      robot.pose.publish(toPoseStamped(state));
+  for (const ReliablePose& pose : poses) {
+    Robot& robot = robots_.at(pose.robot);
+    if (robot.pose_gate.passes(pose.stamp_s)) {
+      robot.pose.publish(toPoseStamped(pose));
     }
-    if (state.velocity && robot.odometry_gate.passes(state.stamp_s)) {
-      robot.odometry.publish(toOdometry(state, robot.name, noise_));
+    if (pose.velocity && robot.odometry_gate.passes(pose.stamp_s)) {
+      robot.odometry.publish(toOdometry(pose, robot.name, noise_));
     }
-    if (robot.tf_gate.passes(state.stamp_s)) {
-      transforms.push_back(toTransform(state, robot.name));
+    if (robot.tf_gate.passes(pose.stamp_s)) {
+      transforms.push_back(toTransform(pose, robot.name));
     }
   }
   if (!transforms.empty()) {

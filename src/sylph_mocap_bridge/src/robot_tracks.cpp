@@ -66,7 +66,7 @@ RobotTracks::RobotTracks(const TracksOptions& options)
       tracks_(options.body_from_robot.size(), Track{BodyTracker(options.tracker), {}, 0.0}),
       counts_(options.body_from_robot.size()) {}
 
-std::optional<RobotState> RobotTracks::update(const Measurement& measurement, double now_s) {
+std::optional<ReliablePose> RobotTracks::update(const Measurement& measurement, double now_s) {
   TrackCounts& counts = counts_.at(measurement.robot);
   if (!measurement.tracked) {
     ++counts.untracked;
@@ -95,8 +95,8 @@ std::optional<RobotState> RobotTracks::update(const Measurement& measurement, do
   }
   ++counts.good;
   counts.last_stamp_s = measurement.stamp_s;
-  return RobotState{measurement.robot, measurement.stamp_s, *map_from_robot,
-                    track.tracker.update(*map_from_robot, measurement.time_s)};
+  return ReliablePose{measurement.robot, measurement.stamp_s, *map_from_robot,
+                      track.tracker.update(*map_from_robot, measurement.time_s)};
 }
 
 bool RobotTracks::isFrozen(Track& track, const Measurement& measurement, double limit_s) {

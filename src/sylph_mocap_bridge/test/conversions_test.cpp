@@ -7,16 +7,16 @@
 namespace sylph_mocap_bridge {
 namespace {
 
-RobotState exampleState() {
-  RobotState state;
-  state.stamp_s = 12.5;
-  state.map_from_robot = toPose({1.0, 2.0, M_PI_2});
-  state.velocity = Velocity{0.25, 0.0, 0.1, 1e-4, 1e-3};
-  return state;
+ReliablePose examplePose() {
+  ReliablePose pose;
+  pose.stamp_s = 12.5;
+  pose.map_from_robot = toPose({1.0, 2.0, M_PI_2});
+  pose.velocity = Velocity{0.25, 0.0, 0.1, 1e-4, 1e-3};
+  return pose;
 }
 
 TEST(ConversionsTest, PoseIsInTheMapAndStamped) {
-  const geometry_msgs::PoseStamped message = toPoseStamped(exampleState());
+  const geometry_msgs::PoseStamped message = toPoseStamped(examplePose());
   EXPECT_EQ("map", message.header.frame_id);
   EXPECT_EQ(ros::Time(12, 500000000), message.header.stamp);
   EXPECT_EQ(2.0, message.pose.position.y);
@@ -24,7 +24,7 @@ TEST(ConversionsTest, PoseIsInTheMapAndStamped) {
 }
 
 TEST(ConversionsTest, TransformLeadsFromMapToRobot) {
-  const geometry_msgs::TransformStamped message = toTransform(exampleState(), "robot_3");
+  const geometry_msgs::TransformStamped message = toTransform(examplePose(), "robot_3");
   EXPECT_EQ("map", message.header.frame_id);
   EXPECT_EQ("robot_3", message.child_frame_id);
   EXPECT_EQ(1.0, message.transform.translation.x);
@@ -32,7 +32,7 @@ TEST(ConversionsTest, TransformLeadsFromMapToRobot) {
 
 TEST(ConversionsTest, TwistIsInTheRobotsFrame) {
   TrackerOptions noise;
-  const nav_msgs::Odometry message = toOdometry(exampleState(), "robot_3", noise);
+  const nav_msgs::Odometry message = toOdometry(examplePose(), "robot_3", noise);
   EXPECT_EQ("robot_3", message.child_frame_id);
   EXPECT_NEAR(0.0, message.twist.twist.linear.x, 1e-12);
   EXPECT_NEAR(-0.25, message.twist.twist.linear.y, 1e-12);

@@ -14,16 +14,16 @@ namespace sylph_mocap_bridge {
 geometry_msgs::Pose toMessage(const Pose& pose);
 
 /// In the frame `map`, stamped at the exposure.
-geometry_msgs::PoseStamped toPoseStamped(const RobotState& state);
+geometry_msgs::PoseStamped toPoseStamped(const ReliablePose& pose);
 
 /// From `map` to the robot's frame.
-geometry_msgs::TransformStamped toTransform(const RobotState& state, const std::string& robot);
+geometry_msgs::TransformStamped toTransform(const ReliablePose& pose, const std::string& robot);
 
 /// Pose in `map`, twist in the robot's frame, turned by the heading alone. What a robot in the
 /// plane does not do (rise, roll, pitch) has velocity 0 and a large variance.
 /// @param noise  sigmas of the measured pose
-/// @pre state.velocity
-nav_msgs::Odometry toOdometry(const RobotState& state, const std::string& robot,
+/// @pre pose.velocity
+nav_msgs::Odometry toOdometry(const ReliablePose& pose, const std::string& robot,
                               const TrackerOptions& noise);
 
 }  // namespace sylph_mocap_bridge

@@ -28,8 +28,8 @@ class RobotPublishers {
                   const std::vector<std::string>& robots, const PublishRates& rates,
                   const TrackerOptions& noise);
 
-  /// @param states  of one instant
-  void publish(const std::vector<RobotState>& states);
+  /// @param poses  of one instant
+  void publish(const std::vector<ReliablePose>& poses);
 
  private:
   struct Robot {

@@ -32,8 +32,8 @@ struct Measurement {
   double stamp_s = 0.0;                                  ///< of the exposure, by the local clock
 };
 
-/// A pose to rely on.
-struct RobotState {
+/// A pose to rely on, as it is published.
+struct ReliablePose {
   std::size_t robot = 0;
   double stamp_s = 0.0;
   Pose map_from_robot;               ///< rotation and position in `map`
@@ -66,7 +66,7 @@ class RobotTracks {
 
   /// @param now_s  local clock
   /// @return nothing if the measurement is not to be relied on
-  std::optional<RobotState> update(const Measurement& measurement, double now_s);
+  std::optional<ReliablePose> update(const Measurement& measurement, double now_s);
 
   /// The clocks began anew: earlier stamps and velocities mean nothing.
   void reset();
