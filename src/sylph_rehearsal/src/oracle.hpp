@@ -34,7 +34,7 @@ class Oracle {
   void onStopHeard(std::size_t robot, double time_s);
   /// A robot's node ends: what starts again knows of no stop.
   void onNodeDown(std::size_t robot) { robots_[robot].stopped_s.reset(); }
-  /// People let the robots go on.
+  /// The operator lets the robots go on.
   void onResumed();
   /// Something pushes the robot: where it then is, is not its own doing.
   void onPushed(std::size_t robot) { robots_[robot].is_pushed = true; }

@@ -88,7 +88,7 @@ void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
     ROS_WARN_THROTTLE(1.0, "the pose of %s %s", options_.robot.c_str(), judged.reason.c_str());
   }
   if (judged.fault == sylph_ros::PoseFault::Frame) {
-    return;  // somebody else's, not a failed measurement
+    return;  // of another robot or frame, not a failed measurement
   }
   const double now_s = clock_.now();
   const double age_s = (clock_.stamp() - message.header.stamp).toSec();

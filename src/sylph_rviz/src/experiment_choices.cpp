@@ -45,7 +45,7 @@ std::vector<ExperimentChoice> experimentChoices(const std::string& lab_path) {
       const sylph::Experiment experiment = sylph::loadExperiment(file.path().string());
       choices.push_back({experiment.name, file.path().string(), refusalOf(experiment, lab)});
     } catch (const std::exception&) {
-      continue;  // a map's file, or somebody else's
+      continue;  // a map's file, or of another program
     }
   }
   std::sort(choices.begin(), choices.end(),

@@ -25,7 +25,7 @@ double steadyTime() {
   return ros::SteadyTime::now().toSec();
 }
 
-/// Whether the master's list of one kind, as of getSystemState, has somebody behind `name`.
+/// Whether the master's list of one kind, as of getSystemState, has a node behind `name`.
 bool hasProvider(XmlRpc::XmlRpcValue& list, const std::string& name) {
   // NOLINTNEXTLINE(modernize-loop-convert): an array of XmlRpc has no iterators.
   for (int i = 0; i < list.size(); ++i) {

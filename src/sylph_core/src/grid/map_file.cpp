@@ -27,7 +27,8 @@ int headerNumber(const std::string& path, const std::vector<std::string>& lines,
   }
 }
 
-bool isObstacle(const std::string& path, std::size_t line, char terrain) {
+/// @return whether a character of the map is an obstacle
+bool readTerrain(const std::string& path, std::size_t line, char terrain) {
   switch (terrain) {
     case '.':
     case 'G':
@@ -77,7 +78,7 @@ Grid loadMovingAiMap(const std::string& path) {
     }
     for (int col = 0; col < cols; ++col) {
       grid.setObstacle({row, col},
-                       isObstacle(path, index + 1, line[static_cast<std::size_t>(col)]));
+                       readTerrain(path, index + 1, line[static_cast<std::size_t>(col)]));
     }
   }
   return grid;

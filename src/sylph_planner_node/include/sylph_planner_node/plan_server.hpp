@@ -57,12 +57,12 @@ class PlanServer {
   sylph_ros::SteadyClock clock_;
   PoseListener poses_;
   ros::Publisher publisher_;
-  std::optional<sylph::Mission> wanted_;  ///< whose plan somebody waits for
+  std::optional<sylph::Mission> wanted_;  ///< whose plan a client waits for
   double wanted_since_s_ = 0.0;
   double feedback_sent_s_ = 0.0;
   std::string waits_for_;
   std::future<sylph::PlanningOutcome> planning_;  ///< a plan that is being made
-  bool is_for_wanted_ = false;                    ///< whether somebody waits for it
+  bool is_for_wanted_ = false;                    ///< whether that client waits for it
 
   std::uint32_t number_ = 0;  ///< of the last plan, 0: none yet
   sylph::Mission shown_mission_;

@@ -48,12 +48,12 @@ class LockStep {
   ros::Time stamp() const { return now_; }
 
   /// @param topic  full name
-  /// @return takes the topic's messages; as long as somebody holds it, they are waited for
+  /// @return takes the topic's messages; as long as the caller holds it, they are waited for
   std::shared_ptr<Mailbox::Box> open(const std::string& topic);
   /// Is to be told of each message before it is published.
   /// @param topic  full name
   void countMessage(const std::string& topic);
-  /// Calls it each period of lab time, as long as somebody holds the result.
+  /// Calls it each period of lab time, as long as the caller holds the result.
   std::shared_ptr<Callback> addTimer(double period_s, Callback callback);
 
   /// Is called first in each tick, with the number of the cameras' last frame.

@@ -21,7 +21,7 @@ class Mailbox {
   /// What handling a message means.
   using Delivery = std::function<void()>;
 
-  /// Messages of one topic. As long as somebody holds it, they are waited for.
+  /// Messages of one topic. As long as a subscriber holds it, they are waited for.
   class Box {
    public:
     /// Keeps a message that has come until it is due.

@@ -62,7 +62,7 @@ struct OperatorView {
 class OperatorModel {
  public:
   /// @param source  of the messages
-  /// @param has_planner  whether somebody takes missions
+  /// @param has_planner  whether a planner takes missions
   void setSource(Source source, bool has_planner);
   /// Takes over a state, and learns of its robots.
   void onState(const sylph_msgs::AdgState& state, double steady_s);

@@ -85,7 +85,7 @@ class LockStepHost {
   Waiting waiting_ = Waiting::ForStart;
   std::uint32_t number_ = 0;
   sylph_msgs::LockStepTick tick_;
-  bool has_joined_ = false;     ///< somebody, who needs all counts
+  bool has_joined_ = false;     ///< a member, which needs all counts
   double began_wall_s_ = 0.0;   ///< waiting for the start
   double ready_since_s_ = 0.0;  ///< all are ready; 0: not all
   double told_wall_s_ = 0.0;

@@ -6,7 +6,7 @@
 
 namespace sylph {
 
-/// Of the names that there are those that somebody may have meant who wrote `name`, the nearest
+/// Of the names that there are those that the writer of `name` may have meant, the nearest
 /// first: by characters to insert, remove or replace (Levenshtein 1966), where only letters and
 /// digits count and capitals do not.
 /// @param most  names to give at most

@@ -14,7 +14,7 @@ namespace sylph {
 using CellOwners = std::map<Cell, std::string>;
 
 /// Says whether a robot can be sent to a cell, and why not. The one judge of goals, of those of a
-/// request as well as of those that somebody is about to set.
+/// request as well as of those that an operator is about to set.
 class GoalJudge {
  public:
   /// @param bystanders  cells on the map that robots without part in the mission touch
