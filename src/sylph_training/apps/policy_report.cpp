@@ -55,7 +55,7 @@ void write(const std::vector<std::pair<std::string, sylph_training::Figures>>& c
 
 int report(Options options) {
   const sylph::Policy policy = sylph::Policy::load(options.weights);
-  options.meters.svo = options.by_rule ? sylph::SvoChoice::Waiting : sylph::SvoChoice::Mean;
+  options.meters.svo = options.by_rule ? sylph::SvoChoice::Priority : sylph::SvoChoice::Mean;
   std::vector<std::pair<std::string, sylph_training::Figures>> columns;
   for (const auto& worlds : sylph_training::meterWorlds()) {
     columns.emplace_back(worlds.name(),
@@ -83,7 +83,7 @@ int main(int argc, char** argv) {
   app.add_option("--temperature", options.meters.temperature, "of the moves")
       ->check(CLI::PositiveNumber);
   app.add_flag("--by-rule", options.by_rule,
-               "SVOs by the rule of waiting instead of the weights' own");
+               "SVOs by the rule of priorities instead of the weights' own");
   app.add_option("--csv", options.csv, "file for the table, for plot_policy_report");
   return sylph::runCommand(app, argc, argv, [&] { return report(options); });
 }

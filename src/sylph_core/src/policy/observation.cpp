@@ -11,10 +11,10 @@
 namespace sylph {
 namespace {
 
-constexpr float kFarAway = 64.F;       // [cells] where distances saturate
-constexpr float kWaitedScale = 64.F;   // [timesteps]
-constexpr float kMostWaited = 2.5F;    // where waiting saturates, in units of kWaitedScale
-constexpr float kCostToGoRange = 8.F;  // [cells] where the cost-to-go channel saturates
+constexpr float kFarAway = 64.F;        // [cells] where distances saturate
+constexpr float kPriorityScale = 64.F;  // [timesteps]
+constexpr float kMostPriority = 2.5F;   // where it saturates, in units of kPriorityScale
+constexpr float kCostToGoRange = 8.F;   // [cells] where the cost-to-go channel saturates
 constexpr int kHalfView = kFieldOfView / 2;
 constexpr std::size_t kDirections = 4;
 constexpr auto kWidestSvo_deg = static_cast<float>(kSvoLevelSpacingDeg * kMostProsocialLevel);
@@ -79,7 +79,7 @@ std::vector<ObservationEntry> allEntries() {
   entries.push_back({"straight_distance", "cells to the goal in a straight line / 64", 0, 1});
   entries.push_back({"way_to_go", "cells to the goal / 64", 0, 1});
   entries.push_back({"on_goal", "oneself is on the goal", 0, 1});
-  entries.push_back({"waited", "timesteps since one was on the goal / 64", 0, 2.5});
+  entries.push_back({"priority", "timesteps since one was on the goal / 64", 0, 2.5});
   entries.push_back({"tie_break", "a number of one's own, drawn at the start", 0, 1});
   return entries;
 }
@@ -112,8 +112,8 @@ ObservationEncoder::ObservationEncoder(const Grid& grid,
 void ObservationEncoder::setStates(const AgentStates& states) {
   const std::size_t count = distances_.size();
   for (const std::size_t size :
-       {states.cells.size(), states.last_moves.size(), states.svo_deg.size(), states.waited.size(),
-        states.tie_breaks.size()}) {
+       {states.cells.size(), states.last_moves.size(), states.svo_deg.size(),
+        states.priorities.size(), states.tie_breaks.size()}) {
     if (size != count) {
       throw std::invalid_argument("states of " + std::to_string(size) + " agents: must be " +
                                   std::to_string(count));
@@ -253,8 +253,8 @@ void ObservationEncoder::addVector(AgentId agent, float* vector) const {
   vector[at(VectorEntry::StraightDistance)] = saturated(straight);
   vector[at(VectorEntry::WayToGo)] = saturated(to_go_[self]);
   vector[at(VectorEntry::OnGoal)] = to_go_[self] == 0 ? 1.F : 0.F;
-  vector[at(VectorEntry::Waited)] =
-      std::min(static_cast<float>(states_.waited[self]) / kWaitedScale, kMostWaited);
+  vector[at(VectorEntry::Priority)] =
+      std::min(static_cast<float>(states_.priorities[self]) / kPriorityScale, kMostPriority);
   vector[at(VectorEntry::TieBreak)] = states_.tie_breaks[self];
 }
 

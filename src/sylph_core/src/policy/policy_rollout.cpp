@@ -79,10 +79,10 @@ PolicyRollout::PolicyRollout(const Policy& policy, const Grid& grid,
 PolicyStep PolicyRollout::nothingKnown() const {
   const std::size_t count = distances_->size();
   PolicyStep step;
-  step.waited.assign(count, 0);
+  step.priorities.assign(count, 0);
   step.svo.resize(static_cast<Eigen::Index>(count), kSvoLevelCount);
   for (std::size_t agent = 0; agent < count; ++agent) {
-    step.social.svo_deg.push_back(svoByWaiting(1, tie_breaks_[agent]));
+    step.social.svo_deg.push_back(svoByPriority(1, tie_breaks_[agent]));
     spreadOverLevels(step.social.svo_deg[agent],
                      step.svo.row(static_cast<Eigen::Index>(agent)).data());
   }
@@ -99,16 +99,16 @@ PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& 
     throw std::invalid_argument("a step of " + std::to_string(to.size()) + " agents: must be " +
                                 std::to_string(count));
   }
-  AgentStates states{to, {}, before.social.svo_deg, before.waited, tie_breaks_};
+  AgentStates states{to, {}, before.social.svo_deg, before.priorities, tie_breaks_};
   NetworkInput input;
   input.svo = before.svo;
   for (std::size_t agent = 0; agent < count; ++agent) {
     states.last_moves.push_back(actionBetween(from[agent], to[agent]).value_or(Action::Stay));
     const bool is_home = to[agent] == (*distances_)[agent].goal();
-    states.waited[agent] = is_home ? 0 : states.waited[agent] + 1;
+    states.priorities[agent] = is_home ? 0 : states.priorities[agent] + 1;
     auto svo = input.svo.row(static_cast<Eigen::Index>(agent));
-    if (svo_choice_ == SvoChoice::Waiting) {
-      states.svo_deg[agent] = svoByWaiting(states.waited[agent], tie_breaks_[agent]);
+    if (svo_choice_ == SvoChoice::Priority) {
+      states.svo_deg[agent] = svoByPriority(states.priorities[agent], tie_breaks_[agent]);
       spreadOverLevels(states.svo_deg[agent], svo.data());
     } else if (is_home) {
       states.svo_deg[agent] = static_cast<float>(svoOfLevel(kMostProsocialLevel));
@@ -144,8 +144,8 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, StepU
   silenceUnlessFinite(step.actions);
   silenceUnlessFinite(step.by_cost);
   silenceUnlessFinite(output.svo);
-  step.svo = svo_choice_ == SvoChoice::Waiting ? std::move(input.svo) : softmax(output.svo);
-  step.waited = std::move(states.waited);
+  step.svo = svo_choice_ == SvoChoice::Priority ? std::move(input.svo) : softmax(output.svo);
+  step.priorities = std::move(states.priorities);
   step.social.partners = std::move(input.partners);
   for (Eigen::Index agent = 0; agent < rows; ++agent) {
     const auto index = static_cast<std::size_t>(agent);

@@ -19,7 +19,7 @@ std::vector<double> distancesFromStart(const SearchProblem& problem) {
 }
 
 /// Large for selfish agents; `distances` settle what is equal. SVOs change from step to step, and
-/// agents that take the lead by turns may get nowhere: who has waited long is guided by distance
+/// agents that take the lead by turns may get nowhere: who has a high priority is guided by distance
 /// alone.
 std::vector<double> selfishFirst(const std::vector<float>& svo_deg, const Priorities& priorities,
                                  const std::vector<double>& distances) {

@@ -13,12 +13,12 @@ constexpr auto kSpacing_deg = static_cast<float>(kSvoLevelSpacingDeg);
 
 }  // namespace
 
-float svoByWaiting(int waited, float tie_break) {
+float svoByPriority(int priority, float tie_break) {
   constexpr int kHighest = kMostProsocialLevel - 1;  // off the goal
-  if (waited == 0) {
+  if (priority == 0) {
     return kSpacing_deg * kMostProsocialLevel;
   }
-  const int level = kHighest - std::min(kHighest, waited / kTimestepsPerLevel);
+  const int level = kHighest - std::min(kHighest, priority / kTimestepsPerLevel);
   return kSpacing_deg * (static_cast<float>(level) + kSpread * tie_break);
 }
 

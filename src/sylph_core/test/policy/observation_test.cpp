@@ -20,7 +20,7 @@ class ObservationTest : public ::testing::Test {
     states_.cells = {{2, 2}, {2, 1}, {1, 4}};
     states_.last_moves = {Action::East, Action::Stay, Action::South};
     states_.svo_deg = {20.F, 45.F, 5.F};
-    states_.waited = {16, 0, 400};
+    states_.priorities = {16, 0, 400};
     states_.tie_breaks = {0.25F, 0.5F, 0.75F};
   }
 

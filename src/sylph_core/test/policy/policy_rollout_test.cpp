@@ -161,21 +161,21 @@ TEST_F(PolicyRolloutTest, WeightsThatOverflowSayNothing) {
 TEST_F(PolicyRolloutTest, CountsTheTimestepsOffTheGoal) {
   auto walk = rollout();
   const PolicyStep first = firstStep(walk);
-  EXPECT_EQ((std::vector<int>{1, 1, 0}), first.waited);
+  EXPECT_EQ((std::vector<int>{1, 1, 0}), first.priorities);
   const PolicyStep second = walk.follow(first, starts_, next_, rng_);
-  EXPECT_EQ((std::vector<int>{2, 2, 0}), second.waited);
+  EXPECT_EQ((std::vector<int>{2, 2, 0}), second.priorities);
   const Configuration home = {{0, 1}, {0, 0}, {2, 2}};
-  EXPECT_EQ((std::vector<int>{3, 0, 0}), walk.follow(second, next_, home, rng_).waited);
+  EXPECT_EQ((std::vector<int>{3, 0, 0}), walk.follow(second, next_, home, rng_).priorities);
 }
 
 TEST_F(PolicyRolloutTest, SvosByWaitingAreThoseOfTheRule) {
-  auto walk = rollout(SvoChoice::Waiting);
+  auto walk = rollout(SvoChoice::Priority);
   PolicyStep step = firstStep(walk);
   for (int timestep = 1; timestep < 30; ++timestep) {
     step = walk.follow(step, starts_, starts_, rng_);
   }
   for (std::size_t agent = 0; agent < 2; ++agent) {
-    EXPECT_FLOAT_EQ(svoByWaiting(30, walk.tieBreaks()[agent]), step.social.svo_deg[agent]);
+    EXPECT_FLOAT_EQ(svoByPriority(30, walk.tieBreaks()[agent]), step.social.svo_deg[agent]);
   }
   EXPECT_EQ(45.F, step.social.svo_deg[2]);
 }

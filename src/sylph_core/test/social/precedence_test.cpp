@@ -11,18 +11,18 @@ namespace sylph {
 namespace {
 
 TEST(SvoByWaitingTest, FallsALevelEveryTwentyTimesteps) {
-  EXPECT_EQ(45.F, svoByWaiting(0, 0.5F)) << "on the goal";
-  EXPECT_EQ(40.F, svoByWaiting(1, 0.F));
-  EXPECT_EQ(40.F, svoByWaiting(19, 0.F));
-  EXPECT_EQ(35.F, svoByWaiting(20, 0.F));
-  EXPECT_EQ(0.F, svoByWaiting(160, 0.F));
-  EXPECT_EQ(0.F, svoByWaiting(100000, 0.F));
+  EXPECT_EQ(45.F, svoByPriority(0, 0.5F)) << "on the goal";
+  EXPECT_EQ(40.F, svoByPriority(1, 0.F));
+  EXPECT_EQ(40.F, svoByPriority(19, 0.F));
+  EXPECT_EQ(35.F, svoByPriority(20, 0.F));
+  EXPECT_EQ(0.F, svoByPriority(160, 0.F));
+  EXPECT_EQ(0.F, svoByPriority(100000, 0.F));
 }
 
 TEST(SvoByWaitingTest, TieBreaksNeverOverruleALevel) {
-  EXPECT_FLOAT_EQ(44.5F, svoByWaiting(1, 1.F));
-  EXPECT_LT(svoByWaiting(20, 1.F), svoByWaiting(19, 0.F));
-  EXPECT_LT(svoByWaiting(5, 0.1F), svoByWaiting(5, 0.2F));
+  EXPECT_FLOAT_EQ(44.5F, svoByPriority(1, 1.F));
+  EXPECT_LT(svoByPriority(20, 1.F), svoByPriority(19, 0.F));
+  EXPECT_LT(svoByPriority(5, 0.1F), svoByPriority(5, 0.2F));
 }
 
 TEST(SpreadOverLevelsTest, HasTheAngleAsItsMean) {

@@ -54,8 +54,8 @@ class SceneMaker {
     states.tie_breaks = tie_breaks_;
     Scene scene;
     for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
-      states.waited.push_back(waitedAt(agent, timestep));
-      states.svo_deg.push_back(sylph::svoByWaiting(states.waited[agent], tie_breaks_[agent]));
+      states.priorities.push_back(priorityOf(agent, timestep));
+      states.svo_deg.push_back(sylph::svoByPriority(states.priorities[agent], tie_breaks_[agent]));
       SceneAgent known;
       known.partner = static_cast<std::uint16_t>(social_[timestep].partners[agent]);
       known.svo_centideg = toCentidegrees(states.svo_deg[agent]);
@@ -117,15 +117,15 @@ class SceneMaker {
   }
 
   // Timesteps since the agent was last on its goal.
-  int waitedAt(std::size_t agent, std::size_t timestep) const {
-    int waited = 0;
+  int priorityOf(std::size_t agent, std::size_t timestep) const {
+    int priority = 0;
     while (plan_[timestep][agent] != goals_[agent]) {
-      ++waited;
+      ++priority;
       if (timestep-- == 0) {
         break;
       }
     }
-    return waited;
+    return priority;
   }
 
   const DemonstrationSettings* settings_;

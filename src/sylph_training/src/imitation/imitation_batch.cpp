@@ -72,13 +72,13 @@ Label labelOf(const Sample& sample, const Flags& is_compared, const LabelSetting
   return label;
 }
 
-/// What the rule of waiting says of an agent.
+/// What the rule of priorities says of an agent.
 float ruleOf(const SceneAgent& agent) {
   const auto entry = [&](sylph::VectorEntry which) {
     return agent.vector[static_cast<std::size_t>(which)];
   };
-  const auto waited = static_cast<int>(std::lround(entry(sylph::VectorEntry::Waited) * 64.F));
-  return sylph::svoByWaiting(waited, entry(sylph::VectorEntry::TieBreak));
+  const auto priority = static_cast<int>(std::lround(entry(sylph::VectorEntry::Priority) * 64.F));
+  return sylph::svoByPriority(priority, entry(sylph::VectorEntry::TieBreak));
 }
 
 void fillLabels(const Sample& sample, const Symmetry& symmetry, const LabelSettings& labels,

@@ -248,7 +248,7 @@ SceneSource studentLedScenes(std::shared_ptr<const sylph::Policy> policy,
     }
     const sylph::SearchProblem problem(instance);
     sylph::PolicyRollout rollout(*policy, instance.grid, problem.distances.fields(),
-                                 sylph::SvoChoice::Waiting, 1, rng);
+                                 sylph::SvoChoice::Priority, 1, rng);
     TeamState team(instance, problem, rollout.tieBreaks());
     Labeller labeller(team, settings, rng);
     sylph::PolicyStep step = rollout.nothingKnown();

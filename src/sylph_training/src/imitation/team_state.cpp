@@ -15,7 +15,7 @@ TeamState::TeamState(const sylph::Instance& instance, const sylph::SearchProblem
     : instance_(&instance), problem_(&problem), before_(instance.starts) {
   states_.cells = instance.starts;
   states_.last_moves.assign(instance.starts.size(), Action::Stay);
-  states_.waited.assign(instance.starts.size(), 0);
+  states_.priorities.assign(instance.starts.size(), 0);
   states_.svo_deg.resize(instance.starts.size());
   states_.tie_breaks = std::move(tie_breaks);
   updateSvo();
@@ -58,8 +58,10 @@ void TeamState::move(const std::vector<Action>& desired, const std::vector<float
 
 void TeamState::updateSvo() {
   for (std::size_t agent = 0; agent < states_.cells.size(); ++agent) {
-    states_.waited[agent] = isHome(static_cast<AgentId>(agent)) ? 0 : states_.waited[agent] + 1;
-    states_.svo_deg[agent] = sylph::svoByWaiting(states_.waited[agent], states_.tie_breaks[agent]);
+    states_.priorities[agent] =
+        isHome(static_cast<AgentId>(agent)) ? 0 : states_.priorities[agent] + 1;
+    states_.svo_deg[agent] =
+        sylph::svoByPriority(states_.priorities[agent], states_.tie_breaks[agent]);
   }
 }
 

@@ -94,8 +94,8 @@ void Environment::showSvo(const std::vector<float>& svo_deg) {
 
 void Environment::updateWaited() {
   for (AgentId agent = 0; agent < instance_.agentCount(); ++agent) {
-    int& waited = states_.waited[static_cast<std::size_t>(agent)];
-    waited = isOnGoal(agent) ? 0 : waited + 1;
+    int& priority = states_.priorities[static_cast<std::size_t>(agent)];
+    priority = isOnGoal(agent) ? 0 : priority + 1;
   }
 }
 

@@ -72,7 +72,8 @@ void EnvironmentBatch::start(World& world) {
       if (svo_options_.mode == SvoMode::Learned &&
           svo_options_.feedback == SvoFeedback::Distribution) {
         world.svo.emplace_back();
-        sylph::spreadOverLevels(sylph::svoByWaiting(1, tie_breaks.back()), world.svo.back().data());
+        sylph::spreadOverLevels(sylph::svoByPriority(1, tie_breaks.back()),
+                                world.svo.back().data());
       } else {
         world.svo.push_back(certainly(level));
       }

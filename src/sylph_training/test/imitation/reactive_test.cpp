@@ -38,11 +38,11 @@ TEST(TeamStateTest, CountsWaitingAndTellsWhatComesCloser) {
   team.move({Action::West, Action::West}, team.states().svo_deg);
   EXPECT_EQ((sylph::Configuration{{1, 1}, {1, 2}}), team.states().cells);
   EXPECT_EQ(instance.starts, team.before());
-  EXPECT_EQ((std::vector<int>{2, 2}), team.states().waited);
+  EXPECT_EQ((std::vector<int>{2, 2}), team.states().priorities);
   team.move({Action::West, Action::West}, team.states().svo_deg);
   team.move({Action::Stay, Action::Stay}, team.states().svo_deg);
   EXPECT_EQ((std::vector<Action>{Action::Stay, Action::Stay}), team.states().last_moves);
-  EXPECT_FLOAT_EQ(sylph::svoByWaiting(4, 0.25F), team.states().svo_deg[1]);
+  EXPECT_FLOAT_EQ(sylph::svoByPriority(4, 0.25F), team.states().svo_deg[1]);
 }
 
 TEST(ReactiveTeacherTest, WhoIsMoreProsocialBacksOut) {

@@ -153,7 +153,7 @@ TEST(SceneStoreTest, ViewsArePackedWithoutLossButForGaps) {
   for (std::size_t agent = 0; agent < instance.starts.size(); ++agent) {
     states.last_moves.push_back(static_cast<sylph::Action>(sylph::drawIndex(rng, 5)));
     states.svo_deg.push_back(45.F * static_cast<float>(sylph::drawFraction(rng)));
-    states.waited.push_back(static_cast<int>(sylph::drawIndex(rng, 100)));
+    states.priorities.push_back(static_cast<int>(sylph::drawIndex(rng, 100)));
     states.tie_breaks.push_back(static_cast<float>(sylph::drawFraction(rng)));
   }
   encoder.setStates(states);

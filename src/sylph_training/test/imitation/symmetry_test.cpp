@@ -22,7 +22,7 @@ World drawWorld(sylph::Rng& rng) {
     world.states.last_moves.push_back(
         static_cast<sylph::Action>(sylph::drawIndex(rng, sylph::kActionCount)));
     world.states.svo_deg.push_back(static_cast<float>(sylph::drawIndex(rng, 10)));
-    world.states.waited.push_back(static_cast<int>(sylph::drawIndex(rng, 100)));
+    world.states.priorities.push_back(static_cast<int>(sylph::drawIndex(rng, 100)));
     world.states.tie_breaks.push_back(static_cast<float>(sylph::drawFraction(rng)));
   }
   return world;

@@ -47,7 +47,7 @@ TEST(PolicyMetersTest, APolicyThatAlwaysStaysGivesWayAlwaysAndAwayNever) {
 
 TEST(PolicyMetersTest, SvosByTheRuleAreNoDistanceFromTheRule) {
   MeterSettings settings = quick();
-  settings.svo = sylph::SvoChoice::Waiting;
+  settings.svo = sylph::SvoChoice::Priority;
   EXPECT_EQ(0.0, measure(*sylph::randomPolicy(), kMaze, settings).svo_error_deg);
   settings.svo = sylph::SvoChoice::Mean;
   EXPECT_GT(measure(*sylph::randomPolicy(), kMaze, settings).svo_error_deg, 1.0);

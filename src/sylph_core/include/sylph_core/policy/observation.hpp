@@ -65,7 +65,7 @@ enum class VectorEntry {
   StraightDistance,
   WayToGo,
   OnGoal,
-  Waited,
+  Priority,
   TieBreak,
 };
 constexpr int kVectorSize = 7;
@@ -92,7 +92,7 @@ struct AgentStates {
   Configuration cells;             ///< where each agent is
   std::vector<Action> last_moves;  ///< the action that led here; Stay at the start
   std::vector<float> svo_deg;      ///< mean SVO [deg]
-  std::vector<int> waited;         ///< timesteps since the agent was last on its goal
+  std::vector<int> priorities;     ///< as in PIBT: timesteps since the agent was last on its goal
   std::vector<float> tie_breaks;   ///< 0 ... 1, the agent's own for good: no two are alike
 };
 

@@ -15,9 +15,9 @@ namespace sylph {
 
 /// Which SVO agents act by, of the distribution that the policy gives.
 enum class SvoChoice {
-  Mean,     ///< the mean angle
-  Sample,   ///< a level, drawn
-  Waiting,  ///< none of it: the rule of waiting, see svoByWaiting(), to compare with
+  Mean,      ///< the mean angle
+  Sample,    ///< a level, drawn
+  Priority,  ///< none of it: the rule of priorities, see svoByPriority(), to compare with
 };
 
 /// What is wanted of a step.
@@ -28,12 +28,12 @@ enum class StepUse {
 
 /// What the policy says in one configuration, and what it takes along to the next one.
 struct PolicyStep {
-  AgentRows actions;        ///< n x 5 logits, in the order of Action: for who resolves by SVO
-  AgentRows by_cost;        ///< n x 5 logits: of the cost network; `actions` without one
-  AgentRows svo;            ///< n x levels, each row of sum 1
-  AgentRows memory;         ///< n x width, or empty if the policy has none
-  std::vector<int> waited;  ///< per agent: timesteps since it was last on its goal
-  SocialState social;       ///< fixed partners, SVOs that agents act by
+  AgentRows actions;            ///< n x 5 logits, in the order of Action: for who resolves by SVO
+  AgentRows by_cost;            ///< n x 5 logits: of the cost network; `actions` without one
+  AgentRows svo;                ///< n x levels, each row of sum 1
+  AgentRows memory;             ///< n x width, or empty if the policy has none
+  std::vector<int> priorities;  ///< per agent: timesteps since it was last on its goal
+  SocialState social;           ///< fixed partners, SVOs that agents act by
 };
 
 /// The policy of all agents of an instance, from one configuration to the next: observation,

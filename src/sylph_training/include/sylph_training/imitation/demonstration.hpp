@@ -43,8 +43,8 @@ struct Demonstration {
 };
 
 /// Scenes of timesteps drawn from a demonstration: views, partners, the expert's actions and the
-/// regrets of all others. SVOs are those of the rule of waiting, so that inputs look alike whoever
-/// leads.
+/// regrets of all others. SVOs are those of the rule of priorities, so that inputs look alike
+/// whoever leads.
 /// @param problem  of `instance`, but the plan may start elsewhere
 void addScenes(const sylph::Instance& instance, const sylph::SearchProblem& problem,
                const Demonstration& demonstration, int samples,

@@ -31,7 +31,7 @@ struct ImitationBatch {
   torch::Tensor actions;      ///< a: the expert's or teacher's, int64
   torch::Tensor is_best;      ///< a x 5: 1 where the regret is 0
   torch::Tensor is_valid;     ///< a x 5: 1 where the action hits nothing
-  torch::Tensor svo_targets;  ///< a x levels: what the rule of waiting gives
+  torch::Tensor svo_targets;  ///< a x levels: what the rule of priorities gives
 
   /// The same on another device.
   ImitationBatch to(torch::Device device) const;

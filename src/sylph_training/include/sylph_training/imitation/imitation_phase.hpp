@@ -45,7 +45,7 @@ struct ImitationLoss {
   double accuracy = 0.0;       ///< share of the labels' actions among the most likely ones
   double best = 0.0;           ///< share of most likely actions without regret
   double samples = 0.0;        ///< all of them
-  double svo = 0.0;            ///< cross entropy of the SVO head towards the rule of waiting
+  double svo = 0.0;            ///< cross entropy of the SVO head towards the rule of priorities
 };
 
 /// He et al. 2024 trains by reinforcement learning alone; this is a warm start.
@@ -54,7 +54,7 @@ struct ImitationLoss {
 /// whether to come closer to the goal and how to give way if not, but not by which of several moves
 /// to come closer: that is what the expert's regrets are for. To it is added, weighed,
 /// binary cross entropy of the logits against the set of valid actions as in the paper. SVO: cross
-/// entropy of the head towards the rule of waiting, see sylph::svoByWaiting().
+/// entropy of the head towards the rule of priorities, see sylph::svoByPriority().
 ImitationLoss imitationLoss(PolicyModel& model, const ImitationBatch& batch,
                             const ImitationSettings& settings);
 

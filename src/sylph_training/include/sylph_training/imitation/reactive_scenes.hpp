@@ -28,7 +28,7 @@ struct ReactiveSettings {
   double mistakes = 0.6;  ///< highest share of moves that come no closer which the leading teacher
                           ///< fails to make, 0 ... 1
   double perturbed =
-      0.2;  ///< of the scenes have SVOs that the rule of waiting does not give, 0 ... 1
+      0.2;  ///< of the scenes have SVOs that the rule of priorities does not give, 0 ... 1
   bool by_preference = true;  ///< where the policy leads, the teacher's taste is the policy's
 
   /// @throws std::runtime_error with one line naming file, line, field and what is allowed

@@ -9,7 +9,7 @@
 
 namespace sylph_training {
 
-/// A team on its way, step by step, whose SVOs follow the rule of waiting.
+/// A team on its way, step by step, whose SVOs follow the rule of priorities.
 class TeamState {
  public:
   /// @param problem     of the instance; both must outlive this object
@@ -22,7 +22,7 @@ class TeamState {
   /// Number of agents.
   int agentCount() const { return instance_->agentCount(); }
 
-  /// Cells, last moves, SVOs by svoByWaiting(), timesteps waited.
+  /// Cells, last moves, SVOs by svoByPriority(), priorities.
   const sylph::AgentStates& states() const { return states_; }
   /// Where the agents were one timestep ago; at the start, where they are.
   const sylph::Configuration& before() const { return before_; }

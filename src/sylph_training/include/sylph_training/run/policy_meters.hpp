@@ -55,7 +55,7 @@ struct PolicyMeters {
   double gives_way_by_svo = 0.0;  ///< of a head-on pair's roles: the more prosocial one gives way
   double svo_sensitivity = 0.0;   ///< total variation of the moves of adjacent agents when one has
                                   ///< an SVO of 0 and the other of 45 degrees and they are swapped
-  double svo_error_deg = 0.0;     ///< mean distance of the SVOs from the rule of waiting [deg]
+  double svo_error_deg = 0.0;     ///< mean distance of the SVOs from the rule of priorities [deg]
   long head_on_roles = 0;         ///< that the two shares above are of
   long pairs = 0;                 ///< of adjacent agents that the sensitivity is of
 
