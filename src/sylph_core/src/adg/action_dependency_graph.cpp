@@ -43,12 +43,16 @@ void ActionDependencyGraph::replaceRest(const CommitCut& cut, const std::vector<
     takes_part[index(agent)] = true;
   }
   std::vector<Task> kept = tasksWithin(cut);
+  // The builder begins anew, so it is told what the kept tasks leave behind: where everybody rests,
+  // and which task left each cell last.
   internal::TaskBuilder builder(names_, static_cast<TaskId>(kept.size()));
   const Configuration rest = configurationAt(cut);
   for (AgentId agent = 0; agent < agentCount(); ++agent) {
     builder.place(agent, rest[index(agent)], cut[index(agent)]);
   }
   for (const Task& task : kept) {
+    // Whoever takes no part in the new plan does no more: a cell that it has not left is held for
+    // good.
     builder.addDeparture(task,
                          !takes_part[index(task.agent)] && task.sequence >= doneCount(task.agent));
   }
@@ -89,6 +93,8 @@ void ActionDependencyGraph::requireReplaceable(const CommitCut& cut,
 
 std::vector<Task> ActionDependencyGraph::tasksWithin(const CommitCut& cut) const {
   std::vector<Task> kept;
+  // Ids stay topologically sorted, as the tasks that are left keep their order. A predecessor is
+  // within the cut, since the cut is closed, and has its new id by then.
   std::vector<TaskId> new_id(tasks_.size());
   for (const Task& task : tasks_) {
     if (task.sequence >= cut[index(task.agent)]) {
@@ -114,6 +120,8 @@ void ActionDependencyGraph::append(const std::vector<Task>& tasks) {
 }
 
 std::vector<TaskId> ActionDependencyGraph::dependencies(TaskId id) const {
+  // Type-1 follows from the order of the agent's own tasks and is not stored; of type-2 the sparse
+  // rule keeps one, whoever left the cell last: that task has those before it behind it.
   std::vector<TaskId> found;
   const Task& dependent = task(id);
   if (dependent.sequence > 0) {
@@ -153,6 +161,8 @@ std::vector<TaskId> ActionDependencyGraph::release(int lookahead,
     Progress& progress = progress_[index(agent)];
     while (progress.released < static_cast<int>(progress.tasks.size()) &&
            progress.released - progress.done < lookahead) {
+      // In order, so that type-1 holds by itself: the robot carries out what it is given one after
+      // the other.
       const TaskId next = progress.tasks[index(progress.released)];
       if (!mayRelease(task(next))) {
         break;
@@ -230,6 +240,7 @@ std::vector<Cell> ActionDependencyGraph::heldCells(AgentId agent) const {
   const Progress& progress = progress_[index(agent)];
   std::vector<Cell> held = {cell(agent)};
   for (int k = progress.done; k < progress.released; ++k) {
+    // A way that comes back to a cell holds it once.
     const Cell& end = task(progress.tasks[index(k)]).end;
     if (std::find(held.begin(), held.end(), end) == held.end()) {
       held.push_back(end);
@@ -270,6 +281,7 @@ std::vector<AgentId> ActionDependencyGraph::blockedBy(const std::vector<AgentId>
     if (isDone(task.id)) {
       continue;
     }
+    // In the order of ids all dependencies have been decided before.
     const std::vector<TaskId> before = dependencies(task.id);
     is_blocked[index(task.id)] =
         is_cause[index(task.agent)] ||
@@ -296,6 +308,8 @@ CommitCut ActionDependencyGraph::commitCut(int ahead) const {
                      progress.tasks.begin() + cut.back());
   }
   while (!unchecked.empty()) {
+    // Who must leave a cell first has to get as far before the cut, and so has whoever that one
+    // waits for. Tasks already behind the cut were looked at when they came in.
     const std::optional<TaskId> predecessor = task(unchecked.back()).type2_predecessor;
     unchecked.pop_back();
     if (!predecessor) {

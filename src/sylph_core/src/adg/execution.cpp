@@ -53,6 +53,7 @@ void Execution::report(int robot, const RobotReport& report, double now_s) {
   if (!monitors_.at(index(robot)).accept(report, now_s)) {
     return;
   }
+  // A robot may remember a plan of an earlier run; new plans are numbered after it.
   last_plan_id_ = std::max(last_plan_id_, report.plan_id);
   if (graph_) {
     takeCounts(robot, report, now_s);
@@ -65,6 +66,8 @@ void Execution::takeCounts(int robot, const RobotReport& report, double now_s) {
   Delivery& delivery = deliveries_[index(robot)];
   const bool is_this_plan = report.plan_id == plan_->plan_id;
   const int released = releasedCount(robot);
+  // What was never released cannot have come: a count beyond it is of a plan of the same number in
+  // an earlier run.
   const int accepted = is_this_plan ? std::min(report.accepted, released) : 0;
   if (accepted < delivery.accepted) {
     // Its node was started again and has forgotten: everything is sent once more.
@@ -94,11 +97,13 @@ void Execution::updateConditions(double now_s) {
   for (int robot = 0; robot < robotCount(); ++robot) {
     RobotMonitor& monitor = monitors_[index(robot)];
     const bool has_tasks = isUnderWay() && graph_->currentTask(robot).has_value();
+    // A robot that waits for others, or is stopped, may stand for as long as it likes.
     const bool should_move = has_tasks && hasReleased(robot) && mode_ != ExecutionMode::Stop;
     if (monitor.update(should_move, now_s)) {
       log(event::Condition{robot, monitor.condition(), monitor.trouble(now_s)});
     }
     const std::optional<double> since_s = monitor.troubleSince();
+    // Only while robots run: who pauses the lab to mend a robot does not want it given up.
     if (limits_.lost_after_s > 0.0 && has_tasks && mode_ == ExecutionMode::Run && since_s &&
         !monitor.isLost() && now_s - *since_s > limits_.lost_after_s) {
       declareLost(robot, monitor.trouble(now_s));
@@ -135,6 +140,7 @@ void Execution::advance() {
     is_cut_ = true;
     setPhase(ExecutionPhase::Cutting);
   }
+  // Not after a cut: each task more would lie behind what the replacement starts from.
   if (phase_ == ExecutionPhase::Executing) {
     release(lost);
     if (noLiveRobot([&](int robot) { return graph_->currentTask(robot).has_value(); })) {
@@ -151,6 +157,7 @@ void Execution::release(const std::vector<AgentId>& lost) {
   if (mode_ != ExecutionMode::Run) {
     return;
   }
+  // Written down before takeOrders() hands it out: decided once, and after a restart known.
   for (const TaskId released : graph_->release(limits_.lookahead, lost)) {
     const Task& task = graph_->task(released);
     logOfPlan(event::Released{task.agent, task.sequence - firstSequence(task.agent)});

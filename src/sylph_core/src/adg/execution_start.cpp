@@ -37,6 +37,7 @@ void Execution::setRefused(std::uint32_t plan_id, const std::string& reason) {
 
 bool Execution::leadsALostRobot(const MissionPlan& plan) const {
   return plan.replaces_plan_id != 0 &&
+         // A new mission may lead it again, which is how a robot comes back.
          std::any_of(plan.robots.begin(), plan.robots.end(), [this](const std::string& name) {
            const std::optional<int> robot = indexOf(name);
            return robot && monitors_[index(*robot)].isLost();
@@ -51,6 +52,7 @@ void Execution::submit(MissionPlan plan, double now_s) {
   if (leadsALostRobot(plan)) {
     return;  // it was made before the robot was lost: the others wait for one without it
   }
+  // A robot knows such an id from an earlier run, and its reports would count for this plan.
   if (plan_id > plan_id_ && plan_id <= last_plan_id_) {
     setRefused(plan_id, "its id is not greater than " + std::to_string(last_plan_id_) +
                             ", which is the last one in use");
@@ -59,6 +61,8 @@ void Execution::submit(MissionPlan plan, double now_s) {
   if (plan.replaces_plan_id == 0) {
     makeRoomFor(plan_id);
   }
+  // A replacement leaves the cut plan in place until it starts: if it is refused, the robots still
+  // rest at the cut.
   if (const auto fault = admission_.propose(std::move(plan), present(), now_s)) {
     setRefused(plan_id, *fault);
     return;
@@ -126,6 +130,8 @@ void Execution::load(std::shared_ptr<const MissionPlan> plan) {
 }
 
 void Execution::loadMission(const MissionPlan& plan) {
+  // The graph knows all robots of the lab by one index, whoever takes part: a later plan, and a
+  // lost robot, then need no second numbering. Who takes no part gets no task.
   Configuration standing;
   for (int robot = 0; robot < robotCount(); ++robot) {
     standing.push_back(nowhere(robot));
@@ -154,6 +160,7 @@ void Execution::loadReplacement(const MissionPlan& plan) {
   }
   CommitCut cut;
   for (int robot = 0; robot < robotCount(); ++robot) {
+    // At the cut all that was released is done, save by lost robots, which hold what they had.
     cut.push_back(graph_->releasedCount(robot));
   }
   std::vector<AgentId> agents;

@@ -20,6 +20,7 @@ void addTasks(const Execution& execution, int robot, RobotExecution& known) {
   for (auto k = static_cast<std::size_t>(done); k < tasks.size(); ++k) {
     known.remaining_path.push_back(graph.task(tasks[k]).end);
   }
+  // Done with its tasks it is at the last step of the plan, whose partner and SVO are shown.
   known.step = std::max(0, static_cast<Timestep>(execution.plan()->steps()) - 1);
   if (known.tasks_done < known.tasks_total) {
     const Task& current = graph.task(*graph.currentTask(robot));
@@ -27,6 +28,7 @@ void addTasks(const Execution& execution, int robot, RobotExecution& known) {
     known.task_status = graph.status(current.id);
     known.action = current.action;
     known.next_cell = current.end;
+    // Tasks of the plan before have timesteps of that plan.
     known.step = done >= first ? current.timestep : 0;
   }
 }
@@ -35,6 +37,7 @@ void addSocialState(const Execution& execution, int robot, RobotExecution& known
   const MissionPlan& plan = *execution.plan();
   known.goal = execution.missionGoals().at(robot);
   const auto member = std::find(plan.robots.begin(), plan.robots.end(), known.robot);
+  // Lost before this plan was made: it has a goal still, and no partner.
   if (member == plan.robots.end()) {
     return;
   }
@@ -48,12 +51,14 @@ void addSocialState(const Execution& execution, int robot, RobotExecution& known
     known.svo_deg = social.svo_deg[agent];
   }
   if (agent < social.partners.size() && social.partners[agent] != static_cast<AgentId>(agent)) {
+    // An agent that is its own partner has none.
     known.partner = plan.robots.at(static_cast<std::size_t>(social.partners[agent]));
   }
 }
 
 std::string whyNotMoving(const Execution& execution, int robot, double now_s) {
   const RobotMonitor& monitor = execution.monitor(robot);
+  // From what only a person can mend to what passes by itself.
   if (monitor.condition() != RobotCondition::Ok) {
     return monitor.trouble(now_s);
   }
@@ -83,6 +88,7 @@ void addWait(const Execution& execution, int robot, double now_s, RobotExecution
     known.waits_for_cell = blocker.start;
     known.waited_s = now_s - execution.waitsSince(robot).value_or(now_s);
   }
+  // Whoever is told to look at a robot should look at the last one of the chain, not at the next.
   const int root = graph.waitChain(robot).back();
   const bool has_trouble = execution.monitor(root).condition() != RobotCondition::Ok;
   const bool is_staged =
@@ -103,6 +109,7 @@ RobotExecution explain(const Execution& execution, int robot, double now_s) {
   known.condition = monitor.condition();
   known.report_state = report ? report->state : RobotState::Idle;
   known.svo_deg = std::numeric_limits<float>::quiet_NaN();
+  // Without part in the mission it is where it is, by its own word.
   if (execution.missionGoals().count(robot) == 0) {
     if (report && report->pose) {
       known.cell = execution.frame().toCell(position(*report->pose));

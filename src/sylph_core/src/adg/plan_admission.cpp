@@ -98,6 +98,8 @@ std::optional<std::string> PlanAdmission::faultOf(const MissionPlan& plan,
 
 std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& present,
                                                        double now_s) const {
+  // Released tasks of the present plan may be on their way or under way; a new plan that knows
+  // nothing of them must not begin.
   for (std::size_t robot = 0; present.graph != nullptr && robot < names_.size(); ++robot) {
     const auto agent = static_cast<AgentId>(robot);
     if (!present.monitors[robot].isLost() &&
@@ -116,6 +118,7 @@ std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& p
       return member + " has no good pose" +
              (report.detail.empty() ? std::string() : ": " + report.detail);
     }
+    // It may still coast out of the cell in which it was seen.
     if (report.state == RobotState::Moving) {
       return member + " still moves";
     }
@@ -158,6 +161,8 @@ std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const P
     return "is in " + toString(cell) + ", and not in its start " + toString(start);
   }
   const StartLimits& limits = limits_.start;
+  // The footprint has to stay in the middle of the cell, as that of a robot which keeps to its
+  // tolerances; a neighbour may come as near to the edge. Turned it needs a larger box.
   const Vector2 offset = displacement(frame_.toPoint(start), position(pose));
   const Vector2 box = halfBox(limits.length_m, limits.width_m, pose.yaw_rad);
   const Vector2 free{limits.room_m - box.x, limits.room_m - box.y};
@@ -175,6 +180,7 @@ std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const P
 }
 
 std::optional<std::string> PlanAdmission::bystanderInTheWay(const PresentExecution& present) const {
+  // Cells that the plan touches at any time: it is not known when a bystander goes away.
   std::set<Cell> visited;
   for (const Configuration& cells : pending_->plan) {
     visited.insert(cells.begin(), cells.end());
@@ -188,6 +194,7 @@ std::optional<std::string> PlanAdmission::bystanderInTheWay(const PresentExecuti
     }
     const Pose2d& pose = *report->pose;
     const StartLimits& limits = limits_.start;
+    // As far as a robot in the next cell may reach towards it.
     const double beyond_m = frame_.cellSize() / 2.0 - limits.room_m;
     for (const Cell& cell :
          frame_.cellsUnder(position(pose), halfBox(limits.length_m, limits.width_m, pose.yaw_rad) +

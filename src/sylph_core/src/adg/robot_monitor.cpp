@@ -22,6 +22,7 @@ bool RobotMonitor::accept(const RobotReport& report, double now_s) {
   }
   const std::optional<Pose2d> last_pose = report_ ? report_->pose : std::nullopt;
   report_ = report;
+  // For a robot that has become blind the last place is the best guess.
   if (!report_->pose) {
     report_->pose = last_pose;
   }
@@ -34,6 +35,7 @@ RobotCondition RobotMonitor::judge(bool should_move, double now_s) {
   if (!should_move || (report_ && report_->state == RobotState::Blind)) {
     progress_s_ = now_s;
   }
+  // Silence first: what a silent robot said last is no longer true.
   if (now_s - received_s_ > limits_.silent_after_s) {
     return RobotCondition::Silent;
   }
@@ -49,6 +51,7 @@ RobotCondition RobotMonitor::judge(bool should_move, double now_s) {
 bool RobotMonitor::update(bool should_move, double now_s) {
   if (!watched_since_s_) {
     watched_since_s_ = now_s;
+    // Nobody is late before anybody has listened.
     received_s_ = report_ ? received_s_ : now_s;
     progress_s_ = now_s;
   }

@@ -13,6 +13,8 @@ void RunRecord::add(const StampedEvent& entry) {
   const auto& what = entry.event.what;
   if (const auto* started = std::get_if<event::Started>(&what)) {
     if (started->plan->replaces_plan_id == 0) {
+      // A new mission in the same run folder: figures of the one before are not its own, save what
+      // holds for the lab as a whole.
       RunRecord begun;
       begun.mode_ = mode_;
       begun.min_separation_m_ = min_separation_m_;
@@ -24,10 +26,13 @@ void RunRecord::add(const StampedEvent& entry) {
     planning_s_ += started->plan->planning_s;
   } else if (std::holds_alternative<event::Released>(what)) {
     first_released_s_ = first_released_s_.value_or(entry.stamp_s);
+    // So that a mission that is broken off before any task is done took no time, not a negative
+    // one.
     last_done_s_ = std::max(last_done_s_, *first_released_s_);
   } else if (std::holds_alternative<event::Done>(what)) {
     last_done_s_ = entry.stamp_s;
   } else if (const auto* mode = std::get_if<event::Mode>(&what)) {
+    // The operator and the separation monitor may both say stop: one stop.
     const bool is_stop = mode->mode == ExecutionMode::Stop && mode->mode != mode_;
     stops_ += is_stop ? 1 : 0;
     mode_ = mode->mode;
@@ -69,6 +74,7 @@ RunResult RunRecord::result(const Execution& execution, double cell_s) const {
     result.ideal_execution_s = result.critical_path_cells * cell_s;
   }
   const bool is_finished = execution.phase() == ExecutionPhase::Finished;
+  // Collisions are known in simulation alone.
   result.success = is_finished && result.robots > 0 && result.arrived == result.robots &&
                    collisions_.value_or(0) == 0;
   result.message =

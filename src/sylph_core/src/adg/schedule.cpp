@@ -10,6 +10,7 @@ Schedule computeSchedule(const ActionDependencyGraph& graph) {
   std::vector<int> length_to(tasks.size(), 1);
   std::vector<int> length_behind(tasks.size(), 0);
   Schedule schedule;
+  // Ids sort the graph topologically, so that one pass in their order is enough, and one back.
   for (const Task& task : tasks) {
     int& length = length_to[static_cast<std::size_t>(task.id)];
     for (const TaskId before : graph.dependencies(task.id)) {

@@ -47,6 +47,8 @@ void TaskBuilder::addDeparture(const Task& task, bool never_done) {
 
 std::vector<Task> TaskBuilder::build(const std::vector<AgentId>& agents, const Plan& plan) {
   std::vector<Task> tasks;
+  // Waits make no task: an agent that stays has nothing to send, and who follows waits for a task,
+  // not for a timestep.
   for (std::size_t t = 0; t + 1 < plan.size(); ++t) {
     const auto timestep = static_cast<Timestep>(t);
     setTargets(agents, plan, timestep);
@@ -96,9 +98,11 @@ void TaskBuilder::makeTasksBehind(AgentId first, Timestep timestep, std::vector<
       break;
     }
     const AgentState& ahead = state(occupant);
+    // It stays, or has just come in itself.
     if (ahead.moves_in != timestep || ahead.moved_in == timestep) {
       refuseEntry(agent, occupant, timestep);
     }
+    // The queue bites its own tail: as each waits for the next to have left, none would ever move.
     if (ahead.queued_in == timestep) {
       refuseRotation(std::move(queue), occupant, timestep);
     }
@@ -121,6 +125,8 @@ Task TaskBuilder::makeTask(AgentId agent, Timestep timestep) {
   task.action = actionBetween(mover.cell, mover.target_cell).value();
   task.start = mover.cell;
   task.end = mover.target_cell;
+  // Of all who have left the cell the last is enough: it could only enter when those before had
+  // left. Back into a cell of its own an agent comes by its own order.
   if (entered.last_departure && entered.departed_agent != agent) {
     if (entered.departure_never_done) {
       refuseEntry(agent, entered.departed_agent, timestep);

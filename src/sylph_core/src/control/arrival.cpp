@@ -17,8 +17,11 @@ bool isAtEnd(const DrivePath& path, int leg, const Point& here, const ArrivalOpt
     return false;
   }
   const Leg& next = path.leg(leg + 1);
+  // Where the way leads straight back, the next leg runs along this one: who is not yet at the end
+  // would count as on it.
   const bool leads_back = dot(path.leg(leg).direction, next.direction) < -0.5;
   const Vector2 beyond = displacement(next.start, here);
+  // Blends leave a corner aside: the end is reached where the next leg is.
   const bool has_passed = dot(beyond, path.leg(leg).direction) >= -options.position_tolerance_m &&
                           dot(beyond, next.direction) >= 0.0;
   return !leads_back && has_passed && distanceToLeg(next, here) <= options.tracking_error_m;
@@ -46,6 +49,8 @@ bool hasArrived(const DrivePath& path, int leg, const Pose2d& measured, const Ve
     return false;
   }
   const double speed_mps = norm(velocity_map);
+  // A robot that comes in too fast to rest near the path has not arrived, or its cell would be
+  // given away while it slides on.
   const double braking_s = speed_mps / (2.0 * options.acceleration_limit_mps2);
   const Point rest{here.x + braking_s * velocity_map.x, here.y + braking_s * velocity_map.y};
   return distanceToRest(path, leg + 1, rest) <= options.tracking_error_m;

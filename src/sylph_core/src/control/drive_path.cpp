@@ -8,6 +8,7 @@ namespace sylph {
 namespace {
 
 constexpr double kSmallestBlend_m = 0.001;
+// Of the shorter leg, so that the blends at its two ends never meet.
 constexpr double kLargestShareOfLeg = 0.45;
 constexpr double kStraightCosine = 0.999;   // turns below 2.6 degrees
 constexpr double kSharpestCosine = -0.707;  // no blend for turns above 135 degrees

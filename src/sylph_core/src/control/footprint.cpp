@@ -50,6 +50,8 @@ std::array<Point, 4> corners(const Footprint& footprint) {
 double footprintGap(const Footprint& a, const Footprint& b) {
   const Corners corners_a = corners(a);
   const Corners corners_b = corners(b);
+  // Separating axis theorem: convex shapes overlap unless an edge of one of them parts them. Apart,
+  // the least distance is between a corner and an edge.
   if (!isSeparatedByAnAxisOf(a.yaw_rad, corners_a, corners_b) &&
       !isSeparatedByAnAxisOf(b.yaw_rad, corners_b, corners_a)) {
     return 0.0;

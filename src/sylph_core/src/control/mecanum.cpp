@@ -29,6 +29,8 @@ WheelSpeeds MecanumKinematics::toWheels(const Twist2d& twist_robot) const {
   const double x = twist_robot.x_mps;
   const double y = twist_robot.y_mps;
   const double turn = lever_m_ * twist_robot.turn_radps;
+  // Rollers at 45 degrees, in an X as seen from above: a wheel rolls at its own speed forward, give
+  // or take that sideways.
   return {(x - y - turn) / radius_m_, (x + y + turn) / radius_m_, (x + y - turn) / radius_m_,
           (x - y + turn) / radius_m_};
 }
@@ -38,6 +40,7 @@ Twist2d MecanumKinematics::toTwist(const WheelSpeeds& wheels) const {
   const double fr = wheels.front_right_radps;
   const double rl = wheels.rear_left_radps;
   const double rr = wheels.rear_right_radps;
+  // Four wheels tell three numbers: least squares, which slip of a single wheel spoils the least.
   const double quarter_m = radius_m_ / 4.0;
   return {quarter_m * (fl + fr + rl + rr), quarter_m * (-fl + fr + rl - rr),
           quarter_m / lever_m_ * (-fl + fr - rl + rr)};
@@ -55,6 +58,7 @@ Twist2d MecanumKinematics::limitWheels(const Twist2d& twist_robot, double limit_
   if (fastest <= limit_radps) {
     return twist_robot;
   }
+  // All by one factor, so that the robot gets slower and keeps its direction.
   const double factor = limit_radps / fastest;
   return {factor * twist_robot.x_mps, factor * twist_robot.y_mps, factor * twist_robot.turn_radps};
 }

@@ -43,6 +43,8 @@ void MotionWatch::offer(const Vector2& commanded, const Vector2& measured, doubl
     window_.add(stretches_.front(), -1.0);
     stretches_.pop_front();
   }
+  // Short of where it was driven is a base that slips or is stuck; aside of the way there is none
+  // that a command explains.
   const double aside_m = distanceToSegment(tip(window_.measured), {}, tip(window_.commanded));
   if (aside_m > options_.aside_m && !problem_) {
     char text[160];
@@ -65,6 +67,7 @@ bool MotionWatch::isAnswered(const Stretch& stretch) const {
 }
 
 void MotionWatch::listen(const Stretch& stretch) {
+  // Less is within the noise of a pose, and says nothing.
   if (norm(window_.commanded) > options_.aside_m) {
     unanswered_m_ = isAnswered(window_) ? 0.0 : unanswered_m_ + norm(stretch.commanded);
   }
@@ -77,6 +80,7 @@ void MotionWatch::listen(const Stretch& stretch) {
 
 void MotionWatch::creep(const Stretch& stretch) {
   creeping_s_ += stretch.duration_s;
+  // What it still moves by the commands from before creeping is no answer.
   if (creeping_s_ < kSettling_s) {
     return;
   }

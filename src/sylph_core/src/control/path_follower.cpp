@@ -51,6 +51,7 @@ void PathFollower::reset(const Point& start) {
 
 void PathFollower::append(const Point& waypoint) {
   const bool is_on_last_leg = leg_ + 1 >= path_.legCount();
+  // A robot that is about to stop there may be too near by now to begin the whole blend.
   const double room_m = is_on_last_leg ? 0.9 * to_waypoint_m_ : options_.blend_m;
   path_.append(waypoint, std::clamp(room_m, 0.0, options_.blend_m));
 }
@@ -64,6 +65,8 @@ void PathFollower::halt() {
 }
 
 int PathFollower::firstStop() const {
+  // A tenth off: a robot that brakes as planned is always just about able to, and noise must not
+  // send it one cell further.
   const double needed_m = 0.9 * speed_mps_ * speed_mps_ / (2.0 * braking_mps2_);
   const bool can_stop = !is_in_blend_ && to_waypoint_m_ >= needed_m;
   return std::min(leg_ + (can_stop ? 1 : 2), path_.legCount());

@@ -37,6 +37,7 @@ Pid::Pid(const PidGains& gains) : gains_(gains) {
 double Pid::update(double error, double measurement, double dt_s, bool is_limited_outside) {
   if (dt_s > 0.0) {
     if (last_measurement_) {
+      // Of the measurement: the error also jumps when the goal does.
       const double rate = (measurement - *last_measurement_) / dt_s;
       const double time_constant_s = 1.0 / (2.0 * M_PI * gains_.derivative_cutoff_hz);
       rate_ += (rate - rate_) * dt_s / (dt_s + time_constant_s);
@@ -49,6 +50,7 @@ double Pid::update(double error, double measurement, double dt_s, bool is_limite
                                     -gains_.integral_limit, gains_.integral_limit);
     const bool is_limited =
         is_limited_outside || std::abs(direct + integral_) >= gains_.output_limit;
+    // Anti-windup: at the limit the sum may shrink but not grow.
     const bool unwinds =
         std::abs(grown) < std::abs(integral_) || error * (direct + integral_) < 0.0;
     if (!is_limited || unwinds) {

@@ -7,6 +7,7 @@
 namespace sylph {
 namespace {
 
+// Several seconds of commands: far more than poses are ever old before the robot stops for that.
 constexpr std::size_t kMemory = 500;
 
 struct Step {
@@ -53,6 +54,7 @@ PosePredictor::PosePredictor(const BaseModel& model) : model_(model) {
 
 void PosePredictor::command(double time_s, const Twist2d& twist_map) {
   const double effective_s = time_s + model_.latency_s;
+  // A base that heard nothing for so long has stopped by itself in the meantime.
   if (!commands_.empty() && timedOut() < effective_s) {
     append(timedOut(), {});
   }

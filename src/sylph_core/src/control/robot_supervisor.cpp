@@ -14,6 +14,7 @@ RobotDecision stop(const RobotSituation& situation, const std::string& detail) {
 }  // namespace
 
 RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& limits) {
+  // In the order in which an operator has to mend them: without a pose nothing else can be judged.
   if (situation.pose_problem) {
     return {RobotState::Blind, Permission::Stop, *situation.pose_problem};
   }
@@ -43,6 +44,8 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
   if (*situation.central_silence_s > limits.central_timeout_s) {
     const std::string detail =
         format("central node silent for %.1f s", *situation.central_silence_s);
+    // Its cells are its own until it says that it has left them: to finish the task is safe without
+    // the central node, to begin another is not.
     if (!situation.has_task || situation.has_finished_last_task) {
       return stop(situation, detail);
     }
@@ -52,6 +55,8 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
 }
 
 void EmergencyLatch::onEmergencyStop(bool is_pressed) {
+  // A resume from before the press must not release it: only one that follows a Stop of the central
+  // node, by the operator.
   if (is_pressed && !is_pressed_) {
     is_waiting_for_resume_ = true;
     was_stopped_ = false;

@@ -11,6 +11,7 @@ namespace {
 
 /// Half the extent, along one axis of the grid, of a rectangle that is turned by up to `turn_rad`.
 double reachAlong(double along_m, double across_m, double turn_rad) {
+  // The reach grows with the angle up to that of the diagonal, and then falls.
   const double worst_rad = std::min(turn_rad, std::atan2(across_m, along_m));
   return (along_m * std::cos(worst_rad) + across_m * std::sin(worst_rad)) / 2.0;
 }
@@ -21,12 +22,15 @@ SafetyMargin gapsOf(const SafetyFactors& f) {
   margin.reach_m = std::max(reachAlong(f.length_m, f.width_m, f.heading_tolerance_rad),
                             reachAlong(f.width_m, f.length_m, f.heading_tolerance_rad));
   margin.error_m = std::max(f.tracking_error_m, f.position_tolerance_m);
+  // Whichever takes longer: the node notices that poses are gone, or the base that commands are.
   margin.overrun_m =
       f.speed_limit_mps * (std::max(f.pose_timeout_s, f.base_timeout_s) + f.command_latency_s);
   margin.blind_travel_m =
       margin.overrun_m + f.speed_limit_mps * f.speed_limit_mps / (2.0 * f.acceleration_limit_mps2);
   const double clearance_m = f.cell_size_m - 2.0 * margin.reach_m;
   margin.separation_m = clearance_m - 2.0 * margin.error_m;
+  // One robot of the two at a time: that both lose their poses in the same moment and drive at each
+  // other is not covered.
   margin.blind_separation_m = clearance_m - margin.error_m - margin.overrun_m;
   return margin;
 }

@@ -34,6 +34,7 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
   if (!isFinite(pose) || !std::isfinite(stamp_s) || is_late) {
     return false;
   }
+  // Time was set back, as in a replay: what came before belongs to another time.
   if (!track.samples.empty() && stamp_s < track.samples.back().stamp_s) {
     track.samples.clear();
   }
@@ -53,6 +54,8 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
     if (other == robot || neighbor.samples.empty()) {
       continue;
     }
+    // Circles around the footprints: most pairs are far apart, and exact gaps cost more than all
+    // the rest.
     const double lowest_m = lowestGap(track, neighbor);
     if (lowest_m > std::max(limits_.limit_m, track.reserve_m + neighbor.reserve_m) &&
         lowest_m > closest_ever_.gap_m) {
@@ -68,6 +71,7 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
     }
   }
   track.too_close_in_a_row = too_close ? track.too_close_in_a_row + 1 : 0;
+  // One bad pose must not stop the lab.
   if (track.too_close_in_a_row < limits_.confirmations) {
     return false;
   }

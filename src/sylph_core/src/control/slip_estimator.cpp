@@ -21,11 +21,13 @@ void SlipEstimator::learn(const Vector2& predicted, const Vector2& measured, dou
 
 void SlipEstimator::learnAxis(double& gain, double predicted_m, double measured_m,
                               double duration_s) const {
+  // Slower the noise of poses outweighs what slip there is.
   if (!(std::abs(predicted_m) > options_.slowest_mps * duration_s) || duration_s <= 0.0) {
     return;
   }
   const double sign = predicted_m > 0.0 ? 1.0 : -1.0;
   const double step = sign * (measured_m - gain * predicted_m) / options_.memory_m;
+  // A base that goes farther than told is not slipping: something else is wrong with it.
   gain = std::clamp(gain + step, 1.0 - options_.largest, 1.0);
 }
 

@@ -8,6 +8,7 @@
 namespace sylph {
 namespace {
 
+// Against a sender that counts wrongly; messages that overtake each other are a few.
 constexpr std::size_t kMostWaiting = 64;
 
 std::string nameOf(const TaskOrder& task) {
@@ -36,6 +37,8 @@ TaskAnswer TaskQueue::offer(const TaskOrder& task, const Whereabouts& whereabout
 TaskAnswer TaskQueue::offerOfThisPlan(const TaskOrder& task) {
   const auto sequence = static_cast<std::size_t>(task.sequence);
   if (sequence < tasks_.size()) {
+    // Sent again, since its confirmation was late; anything else under this number is an error at
+    // the other end.
     if (!isSameTask(tasks_[sequence], task)) {
       return {TaskVerdict::Refused, nameOf(task) + ": was " + nameOf(tasks_[sequence])};
     }
@@ -63,6 +66,8 @@ TaskAnswer TaskQueue::offerOfNewPlan(const TaskOrder& task, const Whereabouts& w
   if (task.sequence != 0) {
     return {TaskVerdict::Early, nameOf(task) + ": the plan's first task is missing"};
   }
+  // Tasks that are done are told to a node that was started again, so that it knows what it has
+  // done.
   if (task.status != TaskStatus::Done) {
     if (!isIdle() && !whereabouts.is_released) {
       return {TaskVerdict::Early,

@@ -15,6 +15,7 @@ TwistLimiter::TwistLimiter(const TwistLimits& limits) : limits_(limits) {
 
 const Twist2d& TwistLimiter::limit(const Twist2d& wanted, double dt_s) {
   Twist2d target = wanted;
+  // By one factor for both axes: the direction stays.
   const double wanted_speed = speed(wanted);
   if (wanted_speed > limits_.speed_mps) {
     target.x_mps *= limits_.speed_mps / wanted_speed;
