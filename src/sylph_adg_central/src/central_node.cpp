@@ -313,6 +313,8 @@ struct CentralNode::Follow {
 
 void CentralNode::flush() {
   const double stamp_s = clock_.stamp().toSec();
+  // First the log, then the robots: a task that was sent and is not in the log would be unknown
+  // after a restart, and its cells free for others.
   const std::vector<sylph::ExecutionEvent> events = execution_.takeEvents();
   const std::vector<sylph::TaskOrder> orders = execution_.takeOrders(clock_.now());
   has_changed_ = has_changed_ || !events.empty();

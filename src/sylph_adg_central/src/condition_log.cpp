@@ -24,6 +24,8 @@ std::optional<std::string> ConditionLog::note(int robot, sylph::RobotCondition c
   ++record.times;
   record.is_now = true;
   record.since_s = now_s;
+  // Told once; how often and how long follows when it has settled. A robot with a bad radio would
+  // fill the terminal.
   if (!is_new) {
     return std::nullopt;
   }

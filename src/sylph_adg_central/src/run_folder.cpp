@@ -23,6 +23,8 @@ RunFolder::RunFolder(std::string path, const sylph::Experiment& experiment, bool
   if (!is_ours && std::filesystem::exists(copy) && contentOf(copy) != contentOf(experiment.path)) {
     refuse("of another experiment");
   }
+  // A result without events is of a mission that failed before it began; with them the log decides,
+  // see CentralNode::rebuild().
   if (!is_ours && std::filesystem::exists(result()) && !std::filesystem::exists(eventLog())) {
     refuse("that is over");
   }

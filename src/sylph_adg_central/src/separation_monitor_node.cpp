@@ -102,6 +102,8 @@ void SeparationMonitorNode::onPose(int robot, const geometry_msgs::PoseStamped& 
 bool SeparationMonitorNode::onReset(std_srvs::Trigger::Request& /*request*/,
                                     std_srvs::Trigger::Response& response) {
   const sylph::PairGap closest = watch_.closest();
+  // The latch protects robots that are too close; a reset there would let them drive on into each
+  // other.
   response.success = static_cast<std::uint8_t>(closest.gap_m >= options_.limits.limit_m);
   response.message = describe(closest);
   if (response.success == 0) {

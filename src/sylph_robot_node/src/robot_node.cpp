@@ -53,6 +53,7 @@ RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
   updater_.add("control",
                [this](diagnostic_updater::DiagnosticStatusWrapper& status) { diagnose(status); });
   timer_ = clock_.createTimer(nh_, 1.0 / options_.control_rate_hz, [this] { onTick(); });
+  // The ramp needs lab time, which stands still once the simulator has gone.
   if (clock_.lockStep()) {
     shutdown_timer_ =
         nh_.createSteadyTimer(ros::WallDuration(kShutdownPeriodWall_s),
@@ -139,6 +140,7 @@ void RobotNode::goDown(double now_s) {
   }
   command_publisher_.publish(toMessage(controller_.rampDown(now_s)));
   if (now_s - *shutdown_since_s_ >= options_.shutdown_s) {
+    // A base without a timeout of its own keeps the last command for ever.
     command_publisher_.publish(geometry_msgs::Twist());
     ros::requestShutdown();
   }

@@ -153,6 +153,7 @@ void LockStep::runTimers() {
     if (now_ < timers_[i].next) {
       continue;
     }
+    // No calls to catch up with after a long step: one is enough.
     timers_[i].next = std::max(timers_[i].next + timers_[i].period, now_);
     if (const auto callback = timers_[i].callback.lock()) {
       (*callback)();

@@ -57,6 +57,7 @@ void Mailbox::deliver() {
     open.insert(open.end(), of_topic.begin(), of_topic.end());
   }
   for (const auto& box : open) {
+    // Not what came beyond: how much that is depends on the machine, and is left for the next step.
     for (std::size_t count = std::max(box->due_, box->left_); count > 0 && !box->waiting_.empty();
          --count) {
       const Delivery delivery = std::move(box->waiting_.front());

@@ -37,6 +37,7 @@ JudgedPose judgePose(const geometry_msgs::PoseStamped& message, double age_s, do
   if (!sylph::isFinite(pose) || !std::isfinite(norm)) {
     return refuse(PoseFault::NotFinite, "is not a number");
   }
+  // All zeros is what a message holds that nobody filled in, and would be read as heading 0.
   if (norm < 0.9 || norm > 1.1) {
     return refuse(PoseFault::NoRotation,
                   "has a quaternion of length " + number(norm) + ": it must be 1");

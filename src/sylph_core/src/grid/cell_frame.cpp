@@ -20,6 +20,7 @@ CellFrame::CellFrame(int rows, double cell_size_m, const Point& corner)
 }
 
 Point CellFrame::toPoint(const Cell& cell) const {
+  // Row 0 is the first line of the map file, which is the top; y counts from the bottom.
   return {corner_.x + (cell.col + 0.5) * cell_size_m_,
           corner_.y + (rows_ - cell.row - 0.5) * cell_size_m_};
 }

@@ -19,6 +19,8 @@ bool DistanceField::reach(const Cell& cell, const std::function<bool()>& isOver)
     begin();
   }
   const std::int32_t& distance = distance_[static_cast<std::size_t>(grid_->indexOf(cell))];
+  // Breadth-first search that goes on where it was left: on a large map most of a field is never
+  // asked for.
   while (distance == kUnknown && !isOver()) {
     spreadOnce();
   }

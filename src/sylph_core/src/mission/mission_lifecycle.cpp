@@ -153,6 +153,7 @@ void MissionLifecycle::tickSending(double now_s) {
   if (!state_) {
     return;
   }
+  // The central node may have the plan, another one, or have missed it: topics give no answer.
   const bool is_known = state_->plan_id == plan_id_;
   if (hasLostMore()) {
     startReplanning(now_s);
@@ -172,6 +173,7 @@ void MissionLifecycle::tickSending(double now_s) {
 }
 
 bool MissionLifecycle::hasLostMore() const {
+  // The central node then drops the plan as it comes: it leads a robot that is gone.
   const bool waits_at_cut = replaces_plan_id_ != 0 && state_->plan_id == replaces_plan_id_ &&
                             state_->phase == ExecutionPhase::AtCut;
   return waits_at_cut &&
@@ -189,6 +191,7 @@ void MissionLifecycle::tickExecuting(double now_s) {
                                            std::to_string(state_->plan_id) + " of another mission"},
          now_s);
   } else if (state_->plan_id < plan_id_) {
+    // It began with an empty log; what this node has not sent itself it cannot send again.
     if (has_published_) {
       say(Level::Warning,
           "the central node has lost plan " + std::to_string(plan_id_) + ": sending it again");
@@ -236,6 +239,7 @@ void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
 
 void MissionLifecycle::startReplanning(double now_s) {
   Mission limited = mission_;
+  // All robots stand and wait for it.
   limited.time_limit_s = std::min(limited.time_limit_s, limits_.replanning_time_limit_s);
   for (const auto& [cell, robot] : bystanders_) {
     limited.grid.setObstacle(cell);
@@ -283,6 +287,7 @@ void MissionLifecycle::sendAgain(double now_s) {
 }
 
 void MissionLifecycle::follow(double now_s) {
+  // Only its own pause: an operator may have a reason to keep the robots where they are.
   if (std::exchange(has_paused_, false)) {
     commands_.emplace_back(mission_command::Resume{});
   }
@@ -305,6 +310,7 @@ void MissionLifecycle::finish(MissionResult result, double now_s) {
   result.sum_of_costs = totals_.sum_of_costs;
   result.replans = totals_.replans;
   last_outcome_ = result.message;
+  // Otherwise a central node that is started later would find the latched plan and carry it out.
   if (std::exchange(has_published_, false)) {
     commands_.emplace_back(mission_command::Withdraw{});
   }

@@ -117,6 +117,7 @@ bool isExecutionOf(const Mission& mission, const AdgState& state) {
       }
     }
   }
+  // The central node has to know all of them.
   return isBusy(state) && members == mission.robots.size();
 }
 

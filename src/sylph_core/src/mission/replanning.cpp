@@ -25,6 +25,8 @@ const RobotExecution& executionOf(const std::string& robot, const AdgState& cut)
 /// The free cell of `label` nearest to `goal` by the way on the map without lost robots.
 Cell nearestCell(const Grid& map, const Grid& grid, const std::vector<int>& labels, int label,
                  const Cell& goal, const std::set<Cell>& taken) {
+  // By the map as it was: the way around a lost robot may not exist, and the nearest by air may be
+  // behind a wall.
   const DistanceField distance(map, goal);
   Cell best;
   int best_distance = DistanceField::kUnreachable;
@@ -77,6 +79,7 @@ RestOfMission restOfMission(const Mission& mission, const AdgState& cut) {
   for (std::size_t i = 0; i < mission.robots.size(); ++i) {
     const RobotExecution& robot = executionOf(mission.robots[i], cut);
     if (robot.condition == RobotCondition::Lost) {
+      // Where exactly it stands nobody knows; it may be in any of the cells that were given to it.
       for (const Cell& cell : robot.held_cells) {
         if (instance.grid.isInside(cell)) {
           instance.grid.setObstacle(cell);

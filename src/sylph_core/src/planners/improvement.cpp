@@ -130,6 +130,8 @@ class Restarts {
  private:
   std::vector<Vertices> searchFrom(const std::vector<Vertices>& plan, std::size_t timestep,
                                    const Deadline& deadline) {
+    // Now and then from the start: the first steps decide much, and a random step is seldom among
+    // them.
     const std::size_t begin = ++attempts_ % 3 == 0 ? 0 : timestep;
     const auto generator = (*make_generator_)(*problem_, attempts_, *rng_);
     Lacam lacam(*problem_, plan[begin], *generator, *rng_);
@@ -181,6 +183,7 @@ Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
   Rewiring rewiring(problem, make_generator, settings, rng);
   bool is_descending = true;
   while (workers.best().cost() > lower_bound && !deadline.isOver()) {
+    // Losses are accepted only once easy gains are over: before that they would only delay.
     const double cooling = deadline.remaining() / time_s;
     const long cost_before = workers.best().cost();
     workers.run(deadline.within(turn_s),

@@ -30,6 +30,8 @@ Outcome outcomeOf(Lacam::Status status) {
 FirstSolution findBySomeOrder(const SearchProblem& problem, Guide& guide, const Deadline& deadline,
                               Rng& rng) {
   const auto make_generator = [&](const SearchProblem& /*problem*/, int attempt, Rng& /*rng*/) {
+    // Distance first, since it mostly solves within milliseconds; the policy solves some worlds
+    // that no order of distance does.
     return attempt == 1 ? guide.makeGenerator()
                         : makeDistanceGenerator(problem, attempt > 1 ? attempt - 1 : 0, rng);
   };
@@ -110,6 +112,7 @@ Improvement improveSolutions(const SearchProblem& problem,
       improvement.plan = std::move(best.plan);
     }
     best = std::move(improvement);
+    // It ended of its own accord.
     if (!turn.isOver()) {
       break;  // the least cost
     }

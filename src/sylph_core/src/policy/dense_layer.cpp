@@ -44,6 +44,8 @@ DenseLayer::DenseLayer(int outputs, int inputs, const std::vector<float>& weight
                                 std::to_string(inputs) + " got " + std::to_string(weight.size()) +
                                 " weights and " + std::to_string(bias.size()) + " biases");
   }
+  // Transposed and padded: the kernels hold many outputs in registers and run through the inputs,
+  // so that the weights of one input lie side by side and fill whole vectors.
   weight_.assign(static_cast<std::size_t>(inputs) * static_cast<std::size_t>(padded_outputs_), 0.F);
   bias_.assign(static_cast<std::size_t>(padded_outputs_), 0.F);
   std::copy(bias.begin(), bias.end(), bias_.begin());

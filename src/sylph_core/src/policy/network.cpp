@@ -83,6 +83,7 @@ NetworkOutput Network::forward(const NetworkInput& input, int threads) const {
   const int view_width = view_out_.outputs();
   AgentRows views(count, view_width);
   std::vector<std::thread> helpers;
+  // Shared out by agents, who do not touch each other before the communication block.
   const auto share = [&](int part) { return static_cast<int>(count * part / threads); };
   for (int part = 1; part < threads; ++part) {
     helpers.emplace_back(
@@ -168,6 +169,7 @@ AgentRows Network::attendHops(const AgentRows& queries, const AgentRows& keys,
   const Eigen::Index queries_per_agent = queries.rows() * kHops / keys.rows();
   AgentRows attended(queries.rows(), queries.cols());
   for (Eigen::Index row = 0; row < queries.rows(); ++row) {
+    // Rows of an agent follow each other, three queries or one.
     const Eigen::Index first = row / queries_per_agent * kHops;
     for (int head = 0; head < shape_.message_heads; ++head) {
       const int column = head * head_width;
@@ -275,6 +277,8 @@ AgentRows aggregateHops(const AgentRows& features, const std::vector<AgentId>& p
     }
     return out;
   };
+  // Row sums of A^k by k products with a vector: A^k itself would cost the square of the number of
+  // agents.
   const AgentRows degree = adjacencyTimes(AgentRows::Ones(features.rows(), 1));
   const Eigen::VectorXf scale =
       degree.col(0).unaryExpr([](float d) { return d > 0.F ? 1.F / std::sqrt(d) : 0.F; });

@@ -191,6 +191,7 @@ void ObservationEncoder::addAgents(AgentId agent, float* view) const {
       } else if (occupant >= 0) {
         addOther(agent, occupant, features);
         const Cell& goal = distances_[static_cast<std::size_t>(occupant)].goal();
+        // As PRIMAL does (Sartoretti et al. 2019): where to outside of the view others want to go.
         const int goal_row = std::clamp(goal.row - center.row, -kHalfView, kHalfView) + kHalfView;
         const int goal_col = std::clamp(goal.col - center.col, -kHalfView, kHalfView) + kHalfView;
         view[static_cast<std::size_t>((goal_row * kFieldOfView + goal_col) * kChannelCount) +

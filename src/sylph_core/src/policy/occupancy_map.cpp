@@ -5,6 +5,7 @@ namespace sylph {
 OccupancyMap::OccupancyMap(const Grid& grid, int margin)
     : margin_(margin), stride_(grid.cols() + 2 * margin), steps_{-stride_, 1, stride_, -1} {
   const auto size = static_cast<std::size_t>(stride_ * (grid.rows() + 2 * margin));
+  // The margin is obstacle, so that a field of view needs no look at the map's edges.
   is_obstacle_.assign(size, 1);
   occupants_.assign(size, -1);
   for (const Cell& cell : grid.freeCells()) {

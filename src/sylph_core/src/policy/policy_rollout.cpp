@@ -141,6 +141,7 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, StepU
     input.memory.setZero();
     step.by_cost = policy_->costNetwork()->forward(input, threads_).actions;
   }
+  // A single number gone wrong must not take the whole team with it.
   silenceUnlessFinite(step.actions);
   silenceUnlessFinite(step.by_cost);
   silenceUnlessFinite(output.svo);

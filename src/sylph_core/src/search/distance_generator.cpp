@@ -12,6 +12,8 @@ std::vector<double> makeTieBreaks(const SearchProblem& problem, int attempt, Rng
   std::vector<double> tie_breaks;
   tie_breaks.reserve(problem.starts.size());
   for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
+    // Okumura et al. 2022 begin with who has farthest to go; a search that starts anew tries its
+    // luck with another order.
     tie_breaks.push_back(attempt == 0 ? problem.distances.get(agent, problem.starts[agent])
                                       : drawFraction(rng));
   }

@@ -5,6 +5,8 @@
 namespace sylph {
 
 std::uint64_t hashOf(const Vertices& configuration) {
+  // Constants of the finalizer of MurmurHash3: configurations that differ in one agent must not
+  // share low bits, as they would by adding up.
   std::uint64_t hash = 0x9e3779b97f4a7c15ULL;
   for (const VertexId vertex : configuration) {
     hash = (hash ^ static_cast<std::uint64_t>(vertex)) * 0xff51afd7ed558ccdULL;
@@ -19,6 +21,7 @@ Graph::Graph(const Grid& grid) : rows_(grid.rows()), cols_(grid.cols()), cells_(
     vertices_[static_cast<std::size_t>(grid.indexOf(cells_[vertex]))] =
         static_cast<VertexId>(vertex);
   }
+  // Neighbours of all vertices in one array: the searches spend most of their time here.
   offsets_.reserve(cells_.size() + 1);
   targets_.reserve(cells_.size() * 4);
   for (const Cell& cell : cells_) {

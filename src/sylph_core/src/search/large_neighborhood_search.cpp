@@ -57,6 +57,8 @@ void LargeNeighborhoodSearch::run(const Deadline& deadline, double temperature, 
   double before_s = deadline.elapsed();
   for (long iteration = 1; best_cost_ > lower_bound_ && !deadline.isOver(); ++iteration) {
     Arm& arm = arms_[drawArm(rng)];
+    // Drawn from an exponential distribution: accepted with the probability of simulated annealing,
+    // but the path search knows beforehand how much it may spend.
     const auto allowed_loss = static_cast<long>(-temperature * std::log(1.0 - drawFraction(rng)));
     const long cost_before = cost_;
     replan(neighborhoods_.pick(arm.kind, arm.size, rng), allowed_loss, deadline, rng);
@@ -65,6 +67,7 @@ void LargeNeighborhoodSearch::run(const Deadline& deadline, double temperature, 
         deadline.remaining() > bytesOf(*problem_, table_.horizon()) / settings_.table_bytes_per_s) {
       shrinkTable();
     }
+    // By time and not by number: large neighbourhoods gain more, and take longer.
     const double now_s = deadline.elapsed();
     const auto gain = static_cast<double>(std::max(0L, cost_before - cost_));
     arm.gain_per_s +=
@@ -93,6 +96,7 @@ bool LargeNeighborhoodSearch::replan(std::vector<AgentId> agents, long allowed_l
     old_cost += costOf(agent);
     least_cost += leastCostOf(agent);
   }
+  // None of them can arrive earlier.
   if (old_cost == least_cost) {
     return false;
   }
@@ -123,6 +127,8 @@ bool LargeNeighborhoodSearch::planAll(const std::vector<AgentId>& agents, long m
   long cost = 0;
   for (auto agent = agents.begin(); agent != agents.end(); ++agent) {
     least_cost_of_rest -= leastCostOf(*agent);
+    // What the agents after it need at least is set aside, so that a search which cannot come to
+    // less ends early.
     const long latest_arrival =
         std::min<long>(table_.horizon(), max_cost - cost - least_cost_of_rest);
     const VertexPath path = search_.find(table_, problem_->starts[*agent], problem_->goals[*agent],
@@ -166,6 +172,7 @@ void LargeNeighborhoodSearch::shrinkTable() {
   for (AgentId agent = 0; agent < problem_->agentCount(); ++agent) {
     makespan = std::max(makespan, costOf(agent));
   }
+  // Filling a table is as dear as many neighbourhoods: only where a tenth is to be had.
   if (horizonFor(makespan) * 10 < table_.horizon() * 9) {
     std::vector<VertexPath> paths;
     paths.reserve(static_cast<std::size_t>(problem_->agentCount()));

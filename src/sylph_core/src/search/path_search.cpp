@@ -44,6 +44,8 @@ VertexPath PathSearch::find(ReservationTable& table, VertexId start, VertexId go
   };
   std::vector<Closing> closings;
   VertexPath path;
+  // A path that closes a rotation shows only when it is whole: then that move is forbidden and the
+  // search begins again.
   while (true) {
     const Timestep arrival =
         spread(table, start, goal, std::min(latest_arrival, table.horizon()), deadline);
@@ -66,6 +68,7 @@ VertexPath PathSearch::find(ReservationTable& table, VertexId start, VertexId go
 Timestep PathSearch::spread(const ReservationTable& table, VertexId start, VertexId goal,
                             Timestep latest_arrival, const Deadline& deadline) {
   const Timestep goal_free_from = table.freeFrom(goal);
+  // It has to rest there for good, so others must have passed over its goal before.
   if (goal_free_from > latest_arrival) {
     return -1;
   }
@@ -73,6 +76,7 @@ Timestep PathSearch::spread(const ReservationTable& table, VertexId start, Verte
   margin_ = layout.stride / kBitsPerWord + 2;
   const auto row = static_cast<std::size_t>(layout.words + 2 * margin_);
   const std::size_t needed = row * static_cast<std::size_t>(table.horizon() + 1);
+  // Kept from search to search: to allocate and clear it takes longer than many searches do.
   if (reached_.size() < needed) {
     reached_.assign(needed, 0);
   }
@@ -117,6 +121,8 @@ VertexPath PathSearch::trace(const ReservationTable& table, VertexId goal, Times
   VertexPath path(static_cast<std::size_t>(arrival) + 1, goal);
   VertexId vertex = goal;
   for (Timestep timestep = arrival; timestep > 0; --timestep) {
+    // Any of the paths that arrive as early is as cheap for this agent; a random one leaves others
+    // room in other places each time.
     std::array<VertexId, 5> origins{};
     std::size_t count = 0;
     if (isReached(layout, vertex, timestep - 1)) {

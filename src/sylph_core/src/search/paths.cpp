@@ -9,6 +9,7 @@ std::vector<VertexPath> pathsOf(const std::vector<Vertices>& plan) {
   std::vector<VertexPath> paths(plan.front().size());
   for (std::size_t agent = 0; agent < paths.size(); ++agent) {
     std::size_t length = plan.size();
+    // Rest at the end costs nothing and is left out.
     while (length > 1 && plan[length - 2][agent] == plan.back()[agent]) {
       --length;
     }

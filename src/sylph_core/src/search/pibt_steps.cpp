@@ -25,6 +25,7 @@ std::vector<AgentId> orderByPriority(const Priorities& priorities,
     if (tie_breaks[a] != tie_breaks[b]) {
       return tie_breaks[a] > tie_breaks[b];
     }
+    // Down to the index, so that a seed gives the same plan with every sort.
     return a < b;
   });
   return order;

@@ -19,10 +19,11 @@ std::vector<double> distancesFromStart(const SearchProblem& problem) {
 }
 
 /// Large for selfish agents; `distances` settle what is equal. SVOs change from step to step, and
-/// agents that take the lead by turns may get nowhere: who has a high priority is guided by distance
-/// alone.
+/// agents that take the lead by turns may get nowhere: who has a high priority is guided by
+/// distance alone.
 std::vector<double> selfishFirst(const std::vector<float>& svo_deg, const Priorities& priorities,
                                  const std::vector<double>& distances) {
+  // PIBT solves what it solves since somebody stays first until it arrives.
   constexpr int kLongWait = 30;      // [timesteps]
   constexpr double kPerLevel = 1e9;  // more than any distance
   std::vector<double> tie_breaks = distances;
@@ -82,6 +83,7 @@ PolicyGenerator::PolicyGenerator(const SearchProblem& problem, PolicySteps& step
 std::unique_ptr<JointSteps> PolicyGenerator::enter(const Vertices& configuration,
                                                    const Vertices* before,
                                                    const Priorities& priorities) {
+  // A call of the network costs as much as hundreds of steps by distance.
   if (!isWorthAsking(configuration)) {
     return std::make_unique<PibtSteps>(pibt_, distance_ranking_, configuration,
                                        orderByPriority(priorities, start_distances_));

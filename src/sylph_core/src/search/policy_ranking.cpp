@@ -8,8 +8,8 @@
 namespace sylph {
 namespace {
 
-constexpr double kPatience = 20.0;     // [timesteps]
-constexpr double kHeatingTime = 60.0;  // [timesteps]
+constexpr double kPatience = 20.0;         // [timesteps]
+constexpr double kTemperatureRise = 60.0;  // [timesteps]
 
 }  // namespace
 
@@ -41,18 +41,22 @@ void PolicyRanking::rank(AgentId agent, VertexId at, const Occupants& occupied_n
 
 double PolicyRanking::temperatureOf(AgentId agent, VertexId at,
                                     const Occupants& occupied_now) const {
+  // That of the neighbours counts too: who is in the way of somebody stuck has to try other moves
+  // as well.
   int priority = (*priorities_)[agent];
   for (const VertexId beside : problem_->graph.neighbors(at)) {
     if (occupied_now[beside] != kNoAgent) {
       priority = std::max(priority, (*priorities_)[occupied_now[beside]]);
     }
   }
-  return settings_->base_temperature * std::clamp((priority - kPatience) / kHeatingTime,
+  return settings_->base_temperature * std::clamp((priority - kPatience) / kTemperatureRise,
                                                   settings_->least_factor, settings_->most_factor);
 }
 
 double PolicyRanking::drawGumbel() {
   constexpr double kHalfStep = 0.5 / 4294967296.0;  // keeps the fraction off 0
+  // The largest of logits with Gumbel noise is a draw by their softmax (Gumbel 1954), and the order
+  // behind it one without putting back.
   return -std::log(-std::log(drawFraction(*rng_) + kHalfStep));
 }
 

@@ -15,6 +15,8 @@ const PolicySteps::Entry& PolicySteps::enter(const Vertices& configuration, cons
                                              StepUse use) {
   const Configuration to = graph_->toCells(configuration);
   const Configuration from = before == nullptr ? to : graph_->toCells(*before);
+  // The search comes back to configurations by other ways: the last way there is taken for the
+  // history.
   const Entry* known = before == nullptr ? nullptr : find(*before);
   PolicyStep step = rollout_->follow(known == nullptr ? rollout_->nothingKnown() : known->step,
                                      from, to, *rng_, use);

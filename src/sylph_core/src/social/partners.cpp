@@ -61,6 +61,8 @@ void Partners::requireCount(std::size_t count) const {
 void Partners::update(const Configuration& cells, const std::vector<AgentId>& before) {
   requireCount(before.size());
   for (std::size_t agent = 0; agent < before.size(); ++agent) {
+    // A search jumps between configurations: the partners are those of the way that led here, not
+    // of the one looked at last.
     if (fixed_[agent] != before[agent]) {
       fixed_[agent] = before[agent];
       crossing_[agent] = kNoCrossing;
@@ -77,6 +79,7 @@ void Partners::update(const Configuration& cells) {
     if (cell == path.cells[path.next]) {
       continue;
     }
+    // Most agents go on along their path, so that it need not be laid anew.
     if (path.next + 1 < path.cells.size() && cell == path.cells[path.next + 1]) {
       removeVisit(static_cast<AgentId>(agent), path.cells[path.next]);
       ++path.next;
@@ -150,6 +153,7 @@ void Partners::forEachCrossing(AgentId agent, Callback callback) const {
     if (visits.size() == 1) {
       continue;
     }
+    // Alg. 1: the same cell, but not the same way on.
     const auto own = std::find_if(visits.begin(), visits.end(),
                                   [&](const Visit& visit) { return visit.agent == agent; });
     for (const Visit& visit : visits) {

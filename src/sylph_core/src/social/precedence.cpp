@@ -27,6 +27,8 @@ void spreadOverLevels(float svo_deg, float* probabilities) {
   const float level =
       std::clamp(svo_deg / kSpacing_deg, 0.F, static_cast<float>(kMostProsocialLevel));
   const int below = std::min(static_cast<int>(level), kMostProsocialLevel - 1);
+  // Two levels whose mean it is: the network learns a distribution, and one level alone would round
+  // the tie break away.
   probabilities[below + 1] = level - static_cast<float>(below);
   probabilities[below] = 1.F - probabilities[below + 1];
 }

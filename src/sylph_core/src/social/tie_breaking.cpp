@@ -86,6 +86,7 @@ class ConsiderationChain {
   explicit ConsiderationChain(const std::vector<float>& svo_deg)
       : chain_(svo_deg.size()), is_in_(svo_deg.size(), true) {
     std::iota(chain_.begin(), chain_.end(), 0);
+    // Alg. 3: the most prosocial gives way first; equals by index.
     std::stable_sort(chain_.begin(), chain_.end(), [&](AgentId a, AgentId b) {
       return svo_deg[static_cast<std::size_t>(a)] > svo_deg[static_cast<std::size_t>(b)];
     });
