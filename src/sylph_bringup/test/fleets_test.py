@@ -13,6 +13,7 @@ import roslib.packages
 import rospy
 import rostest
 import yaml
+from interfaces import Interfaces
 from rosgraph_msgs.msg import Clock
 from visualization_msgs.msg import MarkerArray
 
@@ -72,10 +73,14 @@ class FleetsTest(unittest.TestCase):
         uses = {}  # topic -> nodes
         nodes = set()
         parameters = set()
+        interfaces = [Interfaces(fleet.namespace, fleet.robots) for fleet in (pair, trio)]
         master = rosgraph.Master("fleets_test")
 
         def look():
-            publishers, subscribers, services = master.getSystemState()
+            publishers, subscribers, services = state = master.getSystemState()
+            types = master.getTopicTypes()
+            for interface in interfaces:
+                interface.note(state, types)
             for topic, users in publishers + subscribers:
                 uses.setdefault(topic, set()).update(users)
             nodes.update(node for _, users in publishers + subscribers + services for node in users)
@@ -93,6 +98,8 @@ class FleetsTest(unittest.TestCase):
             for robot in fleet.robots:
                 self.assertIn(f"/{fleet.namespace}/{robot}/sylph_robot", nodes)
         self.assert_apart(uses, nodes, parameters)
+        for interface in interfaces:
+            self.assertEqual([], list(interface.findings()))
         for fleet in (pair, trio):
             with rosbag.Bag(os.path.join(fleet.run_folder, "run.bag")) as bag:
                 topics = set(bag.get_type_and_topic_info().topics)
