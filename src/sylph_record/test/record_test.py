@@ -12,10 +12,10 @@ import rospy
 import rostest
 from geometry_msgs.msg import Twist
 from sylph_msgs.msg import AdgState
-from sylph_report.ros_tools import find_program
+from sylph_ros.programs import find_program
 from visualization_msgs.msg import MarkerArray
 
-RECORD = find_program("sylph_rviz", "record_run")
+RECORD = find_program("sylph_record", "record_run")
 DEADLINE_S = 30.0
 
 
@@ -77,4 +77,4 @@ class RecordTest(unittest.TestCase):
 
 if __name__ == "__main__":
     rospy.init_node("record_test")
-    rostest.rosrun("sylph_rviz", "record", RecordTest)
+    rostest.rosrun("sylph_record", "record", RecordTest)

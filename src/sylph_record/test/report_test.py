@@ -10,9 +10,9 @@ import small_run
 import yaml
 from PIL import Image
 from sylph_report import comparison, rehearsal, run_data
-from sylph_report.ros_tools import find_program
+from sylph_ros.programs import find_program
 
-REPORT = find_program("sylph_rviz", "sylph_report")
+REPORT = find_program("sylph_record", "sylph_report")
 
 
 def report(*arguments):
@@ -160,4 +160,4 @@ class ReportTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rosunit.unitrun("sylph_rviz", "report", ReportTest)
+    rosunit.unitrun("sylph_record", "report", ReportTest)

@@ -102,4 +102,4 @@ class RunDataTest(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    rosunit.unitrun("sylph_rviz", "run_data", RunDataTest)
+    rosunit.unitrun("sylph_record", "run_data", RunDataTest)

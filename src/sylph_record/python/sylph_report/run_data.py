@@ -11,7 +11,7 @@ import roslib.message
 import yaml
 
 from sylph_report.bag_reader import BagReader
-from sylph_report.ros_tools import changed_type, recorded_fleet
+from sylph_report.recorded import changed_type, recorded_fleet
 
 # Defaults of an experiment's `execution` section.
 SPEED_LIMIT_MPS = 0.25

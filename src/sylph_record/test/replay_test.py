@@ -12,10 +12,10 @@ import small_run
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import OccupancyGrid
 from sylph_msgs.msg import AdgState
-from sylph_report.ros_tools import find_program
+from sylph_ros.programs import find_program
 from visualization_msgs.msg import Marker, MarkerArray
 
-REPLAY = find_program("sylph_rviz", "replay_run")
+REPLAY = find_program("sylph_record", "replay_run")
 DEADLINE_S = 40.0
 
 
@@ -102,4 +102,4 @@ class ReplayTest(unittest.TestCase):
 
 if __name__ == "__main__":
     rospy.init_node("replay_test")
-    rostest.rosrun("sylph_rviz", "replay", ReplayTest)
+    rostest.rosrun("sylph_record", "replay", ReplayTest)

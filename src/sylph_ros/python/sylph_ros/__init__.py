@@ -1,0 +1,1 @@
+"""What programs and nodes of the suite share."""

@@ -1,0 +1,5 @@
+from distutils.core import setup
+
+from catkin_pkg.python_setup import generate_distutils_setup
+
+setup(**generate_distutils_setup(packages=["sylph_ros"], package_dir={"": "python"}))
