@@ -120,8 +120,8 @@ Improvement improveSolutions(const SearchProblem& problem,
   return best;
 }
 
-/// Improvement leaves this time for the social states along its plan [s], half of what there is at
-/// most. It is estimated from the network's calls so far, or from the first steps of a plan.
+/// Improvement leaves this time for the social states along its plan [s]. It is estimated from the
+/// network's calls so far, or from the first steps of a plan.
 double timeForSocialStates(Guide& guide, const std::vector<Vertices>& plan,
                            const Deadline& deadline) {
   const auto steps = static_cast<double>(plan.size() - 1);
@@ -129,20 +129,19 @@ double timeForSocialStates(Guide& guide, const std::vector<Vertices>& plan,
   if (guide.policyCalls() > 0) {
     time_s = deadline.elapsed() / static_cast<double>(guide.policyCalls()) * steps;
   } else {
-    constexpr std::size_t kStepsMeasured = 8;
-    const auto measure = [&](std::size_t count) {
+    const auto measure = [&](int count) {
       const double begin_s = deadline.elapsed();
       guide.socialStates(
-          {plan.begin(), plan.begin() + static_cast<long>(std::min(count + 1, plan.size()))},
+          {plan.begin(), plan.begin() + std::min<long>(count + 1, static_cast<long>(plan.size()))},
           deadline);
       return deadline.elapsed() - begin_s;
     };
     const double first_s = measure(1);  // dearer than the ones that follow
-    time_s = first_s + (measure(kStepsMeasured) - first_s) / (kStepsMeasured - 1.0) * steps;
+    const int count = kSettings.measured_social_steps;
+    time_s = first_s + (measure(count) - first_s) / (count - 1.0) * steps;
   }
-  constexpr double kLeastShare = 0.01;  // of the time that is left
-  const double most_s = std::max(0.0, deadline.remaining() / 2.0);
-  return std::clamp(time_s, kLeastShare * most_s, most_s);
+  const double most_s = std::max(0.0, kSettings.most_social_share * deadline.remaining());
+  return std::clamp(time_s, kSettings.least_social_share * most_s, most_s);
 }
 
 }  // namespace

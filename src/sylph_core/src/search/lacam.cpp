@@ -10,7 +10,7 @@ namespace {
 
 /// A step takes the longer the more agents there are: microseconds to milliseconds.
 constexpr long kAgentStepsBetweenClockReads = 256;
-// Once there is a solution, depth first alone would stay near its end.
+// Once there is a solution, depth first alone would stay near its end; by judgement.
 constexpr std::size_t kStepsBetweenJumps = 64;
 
 }  // namespace

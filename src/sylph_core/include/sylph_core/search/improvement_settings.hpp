@@ -61,6 +61,11 @@ struct ImprovementSettings {
   int walks = 10;                 ///< most walks for one neighbourhood; as Li et al. 2021
   int jam_reach = 3;              ///< timesteps before and after a jam that belong to it
   int neighborhoods_between_shrinks = 256;  ///< how often the table may get shorter
+
+  // Time that is left for the social states along the improved plan, where a policy is the guide.
+  double most_social_share = 0.5;    ///< of what is left then, at most; by judgement
+  double least_social_share = 0.01;  ///< of that, however fast the policy was; by judgement
+  int measured_social_steps = 8;     ///< steps after which it is known how fast it is; by judgement
 };
 
 }  // namespace sylph
