@@ -158,8 +158,8 @@ AgentRows Network::finished(const Attention& block, const AgentRows& in,
                             const AgentRows& attended) {
   const AgentRows mixed =
       normalized(block.norm1, in + applied(block.out, attended, Activation::None));
-  const AgentRows wide = applied(block.linear1, mixed, Activation::Relu);
-  return normalized(block.norm2, mixed + applied(block.linear2, wide, Activation::None));
+  const AgentRows wide = applied(block.feed_forward1, mixed, Activation::Relu);
+  return normalized(block.norm2, mixed + applied(block.feed_forward2, wide, Activation::None));
 }
 
 // For each row of `queries`, attention over the kHops rows of keys and values of its agent.

@@ -261,8 +261,8 @@ long Network::multiplyAdds() const {
     return static_cast<long>(layer.inputs()) * layer.outputs();
   };
   const auto costOf = [&](const Attention& block, int queries, int keys) {
-    return queries *
-               (cost(block.query) + cost(block.out) + cost(block.linear1) + cost(block.linear2)) +
+    return queries * (cost(block.query) + cost(block.out) + cost(block.feed_forward1) +
+                      cost(block.feed_forward2)) +
            keys * (cost(block.key) + cost(block.value));
   };
   constexpr int kHalfCells = 25;

@@ -51,14 +51,14 @@ class PolicyModelImpl::Block : public nn::Module {
         value(register_module("value", nn::Linear(width, width))),
         out_(register_module("out", nn::Linear(width, width))),
         norm1_(register_module("norm1", nn::LayerNorm(nn::LayerNormOptions({width})))),
-        linear1_(register_module("linear1", nn::Linear(width, 2 * width))),
-        linear2_(register_module("linear2", nn::Linear(2 * width, width))),
+        feed_forward1_(register_module("linear1", nn::Linear(width, 2 * width))),
+        feed_forward2_(register_module("linear2", nn::Linear(2 * width, width))),
         norm2_(register_module("norm2", nn::LayerNorm(nn::LayerNormOptions({width})))) {}
 
   torch::Tensor finish(const torch::Tensor& in, const torch::Tensor& attended) {
     // Layer normalisation wants its own precision, also where the rest runs in bfloat16.
     const torch::Tensor mixed = norm1_->forward((in + out_->forward(attended)).to(torch::kFloat));
-    const torch::Tensor fed = linear2_->forward(torch::relu(linear1_->forward(mixed)));
+    const torch::Tensor fed = feed_forward2_->forward(torch::relu(feed_forward1_->forward(mixed)));
     return norm2_->forward((mixed + fed).to(torch::kFloat));
   }
 
@@ -78,7 +78,7 @@ class PolicyModelImpl::Block : public nn::Module {
  private:
   nn::Linear out_;
   nn::LayerNorm norm1_;
-  nn::Linear linear1_, linear2_;
+  nn::Linear feed_forward1_, feed_forward2_;
   nn::LayerNorm norm2_;
 };
 

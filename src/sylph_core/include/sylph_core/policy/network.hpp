@@ -93,7 +93,7 @@ class Network {
   struct Attention {
     DenseLayer query, key, value, out;
     Norm norm1;
-    DenseLayer linear1, linear2;
+    DenseLayer feed_forward1, feed_forward2;  // tensors linear1, linear2, as PyTorch names them
     Norm norm2;
   };
   class Reader;
