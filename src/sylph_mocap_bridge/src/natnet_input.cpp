@@ -136,6 +136,7 @@ void NatnetInput::onFrame(const sylph_natnet::ReceivedFrame& received) {
     sink_.onRestart();
   }
   last_now_s_ = now_s;
+  // Since the datagram came, while other frames were handled.
   const auto waited = std::chrono::duration<double>(steady_clock::now() - received.received);
   const double arrival_s = simulated_time_ ? now_s : now_s - waited.count();
   const auto& server = client_.serverInfo();
@@ -155,6 +156,7 @@ std::optional<sylph_natnet::ClockEstimate> NatnetInput::echoOffset(double now_s)
   std::optional<sylph_natnet::ClockEstimate> clock = client_.clock();
   if (clock) {
     const std::chrono::duration<double> steady = steady_clock::now().time_since_epoch();
+    // The echo compares with the steady clock, stamps are in ROS time.
     clock->offset_s += now_s - steady.count();
   }
   return clock;

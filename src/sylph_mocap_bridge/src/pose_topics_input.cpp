@@ -78,6 +78,8 @@ PoseTopicsInput::PoseTopicsInput(ros::NodeHandle& nh, const std::string& pattern
     : stamp_(stamp), sink_(sink), new_messages_(robots.size()) {
   for (std::size_t robot = 0; robot < robots.size(); ++robot) {
     const std::string topic = poseTopic(pattern, robots[robot]);
+    // Drivers clean names in this way, so that two bodies may end on one topic: one robot would
+    // drive by the other's pose.
     const auto same = std::find(topics_.begin(), topics_.end(), topic);
     if (same != topics_.end()) {
       const auto other = static_cast<std::size_t>(same - topics_.begin());

@@ -84,11 +84,13 @@ std::optional<ReliablePose> RobotTracks::update(const Measurement& measurement, 
     ++counts.frozen;
     return std::nullopt;
   }
+  // Also where it is not a number.
   if (!(measurement.stamp_s > counts.last_stamp_s)) {
     ++counts.unordered;
     return std::nullopt;
   }
   counts.last_age_s = now_s - measurement.stamp_s;
+  // Ahead of time is as bad: clocks that differ make every age wrong.
   if (std::abs(counts.last_age_s) > options_.largest_age_s) {
     ++(counts.last_age_s > 0.0 ? counts.stale : counts.ahead);
     return std::nullopt;
@@ -100,6 +102,7 @@ std::optional<ReliablePose> RobotTracks::update(const Measurement& measurement, 
 }
 
 bool RobotTracks::isFrozen(Track& track, const Measurement& measurement, double limit_s) {
+  // To the last bit: a body that truly stands still shows the noise of the cameras.
   const bool same = measurement.position_m == track.last.position_m &&
                     measurement.orientation_xyzw == track.last.orientation_xyzw;
   if (!same || measurement.time_s < track.changed_s) {

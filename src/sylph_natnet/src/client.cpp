@@ -58,6 +58,7 @@ Client::Client(const ClientOptions& options)
 }
 
 Client::~Client() {
+  // Otherwise the server goes on sending for as long as its timeout is.
   send(makeMessage(MessageId::Disconnect));
 }
 
@@ -77,6 +78,7 @@ std::optional<ReceivedFrame> Client::poll(milliseconds timeout) {
   if (frames.empty()) {
     return std::nullopt;
   }
+  // A robot needs to know where it is now: of several frames the newest.
   statistics_.superseded += frames.size() - 1;
   return std::move(frames.back());
 }
@@ -111,6 +113,7 @@ void Client::sendWhatIsDue(Time now) {
   if (!info_) {
     return;
   }
+  // To a group servers send whether anybody listens or not.
   if (!options_.multicast && takeTurn(last_keep_alive_, now, options_.keep_alive_period)) {
     send(makeMessage(MessageId::KeepAlive));
   }
@@ -136,6 +139,8 @@ void Client::drain(UdpSocket& socket, std::vector<ReceivedFrame>& frames) {
       return;
     }
     const Time now = steady_clock::now();
+    // Anybody in the network may send to this port, also a second Motive that streams to the same
+    // group.
     if (sender->address != options_.server) {
       ++statistics_.foreign;
       statistics_.last_foreign = sender->address;
@@ -181,6 +186,8 @@ std::optional<Frame> Client::handle(const Message& message, Time now) {
 void Client::onServerInfo(const ServerInfo& info, Time now) {
   connect_wanted_ = false;
   const bool resumes = isSilent(now) && session_has_frames_;
+  // A server that was started again may number frames and bodies anew, although it says the same of
+  // itself.
   if (!info_ || !(*info_ == info) || resumes) {
     beginSession();
   }
@@ -250,6 +257,7 @@ std::optional<Frame> Client::onFrame(ByteReader payload, Time now) {
   if (verdict == FrameSequence::Verdict::Late) {
     return std::nullopt;
   }
+  // Its clock began anew as well: what was learnt of it is void.
   if (verdict == FrameSequence::Verdict::Restart || frame.transmit_ticks < newest_ticks_) {
     loseServer();
     return std::nullopt;

@@ -235,10 +235,12 @@ Frame parseFrame(ByteReader payload, const Version& version) {
   }
   Frame frame;
   frame.number = payload.readI32("frame number");
+  // Sections have no directory: to come to one, all before it have to be read.
   skipMarkers(payload, version);
   frame.rigid_bodies = readRigidBodies(payload, version);
   skipRest(payload, version);
   readSuffix(payload, version, frame);
+  // A frame that was read by the wrong version rarely ends where its data do.
   payload.requireEnd("frame");
   return frame;
 }

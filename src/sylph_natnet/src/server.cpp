@@ -93,6 +93,7 @@ void Server::remember(const Endpoint& sender) {
     return;
   }
   forget(sender);
+  // Who connects again is still one client.
   clients_.push_back({sender, std::chrono::steady_clock::now()});
 }
 

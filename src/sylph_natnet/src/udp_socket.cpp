@@ -21,6 +21,7 @@ constexpr std::size_t kLargestDatagram = 65536;
 
 in_addr toSystem(const Ipv4Address& address) {
   in_addr system{};
+  // Both are in network order, byte by byte.
   std::memcpy(&system.s_addr, address.data(), address.size());
   return system;
 }
@@ -118,6 +119,7 @@ void UdpSocket::joinGroup(const Ipv4Address& group, const Ipv4Address& interface
 
 void UdpSocket::sendGroupsThrough(const Ipv4Address& interface) {
   const in_addr address = toSystem(interface);
+  // Simulator and bridge may be on one computer.
   const unsigned char loop = 1;
   if (setsockopt(descriptor_, IPPROTO_IP, IP_MULTICAST_IF, &address, sizeof(address)) != 0 ||
       setsockopt(descriptor_, IPPROTO_IP, IP_MULTICAST_LOOP, &loop, sizeof(loop)) != 0) {

@@ -122,6 +122,7 @@ void Lab::start() {
   monitor_.start();
   planner_.start();
   for (const auto& robot : robots_) {
+    // Nodes of different computers are in no common phase.
     queue_.after(setup_.controller.period_s * sylph::drawFraction(rng),
                  [&node = *robot] { node.start(); });
   }
@@ -191,6 +192,7 @@ void Lab::onEvent(const sylph::ExecutionEvent& event) {
   if (mode != nullptr && mode->mode != sylph::ExecutionMode::Stop) {
     oracle_.onResumed();
   }
+  // Events that tell of no progress, as conditions that come and go, would keep a stuck lab going.
   const bool is_progress = std::holds_alternative<sylph::event::Started>(event.what) ||
                            std::holds_alternative<sylph::event::Done>(event.what) ||
                            std::holds_alternative<sylph::event::Mode>(event.what);
@@ -214,6 +216,8 @@ void Lab::noteWaits() {
 }
 
 bool Lab::goesOn() {
+  // After a violation nothing more is learnt, and robots that drive through each other would bring
+  // many more.
   const double quiet_s = queue_.now() - progress_s_;
   if (!oracle_.violations().empty() || !planner_.failure().empty() ||
       queue_.now() - kStart_s > options_.time_limit_s || quiet_s > options_.quiet_s) {
@@ -289,6 +293,7 @@ Rehearsal Lab::summary() {
     rehearsal.ending = Ending::Finished;
   } else {
     rehearsal.cause = causeOfStop();
+    // A stop is safe only if an operator can find out what it waits for.
     if (rehearsal.cause.empty()) {
       rehearsal.ending = Ending::Violated;
       rehearsal.cause = "nothing says why it stopped";

@@ -75,6 +75,7 @@ void MissionPlanner::onPose(std::size_t robot, const sylph::Pose2d& pose) {
 }
 
 void MissionPlanner::tick(int life) {
+  // Of a node that has crashed in the meantime.
   if (life != life_) {
     return;
   }

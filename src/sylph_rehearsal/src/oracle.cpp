@@ -72,6 +72,8 @@ void Oracle::onOrder(const sylph::TaskOrder& order, double time_s) {
     return;
   }
   const auto entered = static_cast<std::size_t>(order.robot);
+  // By the plan itself and not by the graph, which is what is judged here: everybody who leaves a
+  // cell in an earlier step has to be out of it.
   const auto found = leaves_.find(order.end);
   if (found == leaves_.end()) {
     return;
@@ -129,6 +131,7 @@ void Oracle::check(const sylph_sim::Simulation& simulation, double time_s) {
     Robot& robot = robots_[index];
     const sylph::Point before = robot.place;
     robot.place = sylph::position(simulation.poses()[index]);
+    // Who was pushed from outside is where it should not be by no fault of the suite.
     if (!robot.is_pushed) {
       checkPlace(index, time_s);
       checkRest(index, before, simulation.stepDuration(), time_s);

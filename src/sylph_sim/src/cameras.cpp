@@ -69,6 +69,7 @@ void Cameras::capture(double time_s, const std::vector<sylph::Pose2d>& before,
     for (std::size_t robot = 0; robot < poses.size(); ++robot) {
       frame.bodies.push_back(see(robot, poses, faults.robots[robot].capture));
     }
+    // Drawn whether it matters or not: a fault must not shift the noise of what comes after it.
     const bool is_lost = sylph::drawFraction(rng_) < options_.frame_loss_probability;
     if (!is_lost && !faults.is_silent) {
       waiting_.push_back(std::move(frame));
@@ -96,6 +97,7 @@ CapturedBody Cameras::see(std::size_t robot, const std::vector<sylph::Pose2d>& p
   if (fault.is_frozen) {
     body.pose = last_seen_[robot];
   }
+  // A body is frozen before it jumps or turns, as faults may come together.
   last_seen_[robot] = body.pose;
   body.pose.x_m += fault.x_offset_m;
   body.pose.yaw_rad = sylph::normalizeAngle(body.pose.yaw_rad + fault.yaw_offset_rad);

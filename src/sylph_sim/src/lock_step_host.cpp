@@ -118,6 +118,7 @@ void LockStepHost::onTimer() {
     }
     if (wall_s - called_wall_s_ > kCallPeriodWall_s) {
       called_wall_s_ = wall_s;
+      // Said again as long as somebody has not answered: a message may be lost.
       (waiting_ == Waiting::ForFirst ? first_publisher_ : second_publisher_).publish(tick_);
     }
   }
@@ -164,6 +165,7 @@ void LockStepHost::proceed() {
 
 void LockStepHost::beginTick(double wall_s) {
   if (speed_ > 0.0) {
+    // A lab that was held up does not race afterwards to make up for it.
     next_wall_s_ = std::max(next_wall_s_ + options_.period_s / speed_, wall_s - kMaxBacklogWall_s);
   }
   const Moment moment = advance_();
@@ -184,6 +186,7 @@ void LockStepHost::beginTick(double wall_s) {
 }
 
 void LockStepHost::callSecond(double wall_s) {
+  // Counts of what has changed; all of them where a member is new and knows none.
   addCounts(tick_, std::exchange(has_joined_, false));
   waiting_ = Waiting::ForSecond;
   called_wall_s_ = asked_wall_s_ = wall_s;

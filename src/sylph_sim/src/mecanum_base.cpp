@@ -80,6 +80,7 @@ MecanumBase::MecanumBase(const BaseOptions& options, const sylph::Pose2d& pose, 
 }
 
 void MecanumBase::command(const sylph::Twist2d& twist_robot, double time_s) {
+  // As a base does that refuses what it cannot read.
   if (!std::isfinite(twist_robot.x_mps) || !std::isfinite(twist_robot.y_mps) ||
       !std::isfinite(twist_robot.turn_radps)) {
     return;

@@ -148,6 +148,7 @@ void SimNode::startInLockStep(const ros::NodeHandle& nh) {
   lock_step_ = std::make_unique<LockStepHost>(
       nh, options_.lock_step, expectedNodes(nh, experiment_), target_speed_, ros::Time(start_s_),
       [this] { return advanceTick(); });
+  // NatNet clients have to be served before the lab begins, which waits for them.
   timer_ = nh.createSteadyTimer(ros::WallDuration(kServePeriodWall),
                                 [this](const ros::SteadyTimerEvent&) {
                                   server_.serve(toTicks(simulation_.time() - start_s_));
@@ -172,6 +173,7 @@ void SimNode::subscribe(ros::NodeHandle& nh, std::size_t robot) {
     };
   }
   command_subscribers_.push_back(nh.subscribe<geometry_msgs::Twist>(
+      // In lock step every command counts; otherwise only the last one is worth anything.
       topic, lock_step_ ? 0 : 1, handle, {}, ros::TransportHints().tcpNoDelay()));
 }
 
@@ -236,6 +238,7 @@ void SimNode::publishTruth() {
   message.obstacle_entries = simulation_.obstacleEntries();
   message.active_faults = static_cast<std::uint32_t>(simulation_.activeFaults());
   if (lock_step_) {
+    // Whoever listens in lock step waits for as many as were announced.
     lock_step_->countMessage(truth_publisher_.getTopic());
   }
   truth_publisher_.publish(message);

@@ -69,6 +69,8 @@ void Simulation::placeRobots() {
 
 void Simulation::command(std::size_t robot, const sylph::Twist2d& twist_robot) {
   MecanumBase& base = bases_.at(robot);
+  // Scheduled faults count from the first motion: how long nodes take to start differs from run to
+  // run.
   if (!has_begun_ && !isZero(twist_robot)) {
     has_begun_ = true;
     for (const Fault& fault : not_begun_) {
