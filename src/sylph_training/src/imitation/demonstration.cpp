@@ -192,6 +192,7 @@ void addScenes(const sylph::Instance& instance, const sylph::SearchProblem& prob
   SceneMaker maker(instance, problem, demonstration, settings, rng);
   std::vector<std::size_t> timesteps(steps);
   std::iota(timesteps.begin(), timesteps.end(), std::size_t{0});
+  // Neighbouring timesteps look alike: scenes from all over the plan teach more.
   sylph::shuffle(timesteps, rng);
   const std::size_t enough = store.sampleCount() + static_cast<std::size_t>(samples);
   for (const std::size_t timestep : timesteps) {

@@ -181,6 +181,7 @@ std::vector<Pick> ImitationPhase::drawBatch() {
 
 std::optional<Figures> ImitationPhase::step(long step) {
   if (step % settings_.refill_steps == 0 && !demonstrations_.folder.empty()) {
+    // Other programs may add shards while this one learns.
     demonstrations_.load(countShards(demonstrations_.folder));
   }
   if (settings_.reactive && step > 0 && step % settings_.reactive->student_steps == 0) {
@@ -231,6 +232,7 @@ std::optional<Figures> ImitationPhase::step(long step) {
 }
 
 void ImitationPhase::readMeters() {
+  // The average, since that is what is exported in the end.
   const sylph::Policy policy(exportWeights(state_->average), "the policy in training");
   metered_.clear();
   for (const MeterWorlds& worlds : meterWorlds()) {

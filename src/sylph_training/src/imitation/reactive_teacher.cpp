@@ -38,6 +38,7 @@ void ReactiveTeacher::Ranking::rank(AgentId agent, sylph::VertexId at,
   sortMoves(moves, [&](sylph::VertexId target) {
     double key = kPerCell * problem_->distances.get(agent, target) + sylph::drawFraction(*rng_);
     key += target != at && occupied_now[target] != sylph::kNoAgent ? kOccupied : 0.0;
+    // Straight on rather than in zigzag, so that the policy has one answer to learn and not two.
     key -= target == straight_[static_cast<std::size_t>(agent)] ? kStraight : 0.0;
     if (logits_ != nullptr) {
       const Action action = *actionBetween(cell, problem_->graph.cellAt(target));
@@ -57,6 +58,7 @@ std::vector<Action> ReactiveTeacher::desiredActions(const TeamState& team,
                                                     const sylph::AgentRows* logits) {
   std::vector<AgentId> order(svo_deg.size());
   std::iota(order.begin(), order.end(), 0);
+  // Selfish first: whoever is more prosocial finds its cells taken and gives way.
   std::stable_sort(order.begin(), order.end(), [&](AgentId left, AgentId right) {
     return svo_deg[static_cast<std::size_t>(left)] < svo_deg[static_cast<std::size_t>(right)];
   });

@@ -22,6 +22,7 @@ VertexId neighborOf(const sylph::Graph& graph, VertexId vertex, sylph::Action ac
 /// How much dearer each action is than the best of them.
 Regrets regretsOf(const std::array<int, sylph::kActionCount>& costs) {
   Regrets regrets{};
+  // Against the best and not against the expert's own: it is not optimal either.
   const int best = *std::min_element(costs.begin(), costs.end());
   for (std::size_t action = 0; action < costs.size(); ++action) {
     const int regret = std::min(costs[action] - best, static_cast<int>(kGreatestRegret));

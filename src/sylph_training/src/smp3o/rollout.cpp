@@ -103,6 +103,7 @@ RolloutCollector::Decision RolloutCollector::decide(PolicyModel& model) {
   PolicyOutput& output = decision.output;
   for (torch::Tensor* tensor :
        {&output.actions, &output.svo, &output.values, &output.blocking, &output.memory}) {
+    // The worlds are on the processor: one copy a step and not one a number.
     *tensor = tensor->to(torch::kCPU);
   }
   return decision;
@@ -168,6 +169,8 @@ void RolloutCollector::closePieces(PolicyModel& model, const BatchStep& outcome,
     std::vector<float> end_values(static_cast<std::size_t>(end - first), 0.F);
     if (!is_solved) {
       if (!values.defined()) {
+        // An episode that is cut short would have gone on: the critic says for how much. Solved
+        // ones end with nothing to come.
         values = decide(model).output.values.contiguous();
       }
       std::copy(values.data_ptr<float>() + first, values.data_ptr<float>() + end,
@@ -203,6 +206,7 @@ void RolloutCollector::recordState(const Decision& decision,
   for (const sylph::Action action : actions) {
     chosen.push_back(static_cast<std::int64_t>(action));
   }
+  // In half the memory: a rollout holds millions of views.
   part.views = decision.input.views.permute({0, 2, 3, 1}).to(torch::kBFloat16);
   part.vectors = decision.input.vectors;
   part.svo = decision.input.svo;

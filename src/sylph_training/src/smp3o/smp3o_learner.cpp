@@ -106,6 +106,8 @@ LearningStatistics Smp3oLearner::update(const Rollout& rollout, sylph::Rng& rng)
   LearningStatistics statistics;
   int updates = 0;
   for (int epoch = 0; epoch < options_.epochs; ++epoch) {
+    // Whole sequences, since the memory runs through them; rows of one step belong together by
+    // their partners.
     sylph::shuffle(sequences, rng);
     std::vector<Sequence> chosen;
     std::int64_t rows = 0;

@@ -73,10 +73,11 @@ Environment::Environment(sylph::Instance instance, const EnvironmentOptions& opt
       blocked_(blocking_.count(states_.cells)) {
   requireCount("SVOs", states_.svo_deg.size(), states_.cells.size());
   if (states_.tie_breaks.empty()) {
+    // A world by itself needs none; a batch draws them.
     states_.tie_breaks.assign(states_.cells.size(), 0.F);
   }
   requireCount("tie breaks", states_.tie_breaks.size(), states_.cells.size());
-  updateWaited();
+  updatePriorities();
   showSvo(states_.svo_deg);
   updatePartners();
 }
@@ -92,7 +93,7 @@ void Environment::showSvo(const std::vector<float>& svo_deg) {
   encoder_.setStates(states_);
 }
 
-void Environment::updateWaited() {
+void Environment::updatePriorities() {
   for (AgentId agent = 0; agent < instance_.agentCount(); ++agent) {
     int& priority = states_.priorities[static_cast<std::size_t>(agent)];
     priority = isOnGoal(agent) ? 0 : priority + 1;
@@ -148,7 +149,7 @@ StepOutcome Environment::step(const std::vector<Action>& desired, const StepSvo&
     states_.cells[agent] = neighbor(states_.cells[agent], resolved.actions[agent]);
   }
   states_.last_moves = resolved.actions;
-  updateWaited();
+  updatePriorities();
   blocked_ = blocking_.count(states_.cells);
   ++step_count_;
 
@@ -173,6 +174,7 @@ double Environment::externalReward(std::size_t agent, const StepOutcome& outcome
   if (outcome.actions[agent] != Action::Stay) {
     return rewards.move;
   }
+  // Who stands on its goal costs nothing unless it is in others' way.
   return isOnGoal(static_cast<AgentId>(agent))
              ? rewards.stay_on_goal + rewards.blocking * blocked_[agent]
              : rewards.stay_off_goal;
@@ -185,6 +187,8 @@ void Environment::shareRewards(const std::vector<float>& drawn_svo_deg,
     const double own = outcome.external_rewards[agent];
     const double partners = outcome.external_rewards[static_cast<std::size_t>(partner_ids_[agent])];
     outcome.social_rewards.push_back((own + partners) / options_.rewards.svo_importance);
+    // cos + sin is 1 at 0 degrees and 1.4 at 45: without the mean a prosocial agent has larger
+    // rewards, which are costs here, and learns to be selfish for that alone.
     const double scale = options_.rewards.mean_by_svo
                              ? sylph::redistributedReward(1.0, 1.0, drawn_svo_deg[agent])
                              : 1.0;

@@ -44,6 +44,7 @@ EnvironmentBatch::EnvironmentBatch(WorldSource source, const EnvironmentOptions&
   environment_options_.partners = svo.mode != SvoMode::Off;
   environment_options_.prosocial_on_goal = svo.mode == SvoMode::Learned;
   worlds_.resize(static_cast<std::size_t>(worlds));
+  // Each world draws by itself, so that what happens in one shifts no other.
   std::seed_seq seeds = {seed};
   std::vector<std::uint32_t> drawn(worlds_.size());
   seeds.generate(drawn.begin(), drawn.end());
@@ -81,6 +82,7 @@ void EnvironmentBatch::start(World& world) {
     }
     world.environment =
         std::make_unique<Environment>(instance, environment_options_, mean_deg, tie_breaks);
+    // A world that begins solved has no step to learn from.
   } while (world.environment->isSolved());
   showProsocialOnGoal(world);
   world.partners = world.environment->partners();
@@ -182,6 +184,7 @@ void EnvironmentBatch::stepWorld(int index, const sylph::Action* desired,
     step.is_penalized.push_back(outcome.is_penalized[agent]);
     record.external_reward += outcome.external_rewards[agent];
     record.collisions += outcome.is_penalized[agent] ? 1 : 0;
+    // Who passes by blocks nobody for long.
     if (outcome.actions[agent] == sylph::Action::Stay) {
       record.blocked += world.environment->blockedCounts()[agent];
     }

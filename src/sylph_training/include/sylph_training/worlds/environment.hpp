@@ -101,7 +101,7 @@ class Environment {
   void shareRewards(const std::vector<float>& drawn_svo_deg, StepOutcome& outcome) const;
   void showSvo(const std::vector<float>& svo_deg);
   void updatePartners();
-  void updateWaited();
+  void updatePriorities();
 
   sylph::Instance instance_;
   EnvironmentOptions options_;
