@@ -31,6 +31,8 @@ sylph::Grid readMap(const ExecuteMissionGoal& goal, const sylph::Experiment& lab
   } catch (const std::exception& error) {
     refuse(error.what());
   }
+  // Obstacles may be others than the lab's, places may not: all nodes turn cells into metres by the
+  // lab's map.
   if (grid.rows() != lab.grid.rows() || grid.cols() != lab.grid.cols()) {
     refuse("map " + goal.map + " has " + sizeOf(grid) + ", the lab's map " + lab.map_path +
            " has " + sizeOf(lab.grid) + ": they must be of the same size");
@@ -78,6 +80,7 @@ std::shared_ptr<const sylph::Policy> Weights::of(const std::string& planner) {
   if (!sylph::needsPolicy(planner)) {
     return nullptr;
   }
+  // Once in the life of the node, for all planners that need one.
   if (!policy_) {
     policy_ = sylph::loadPolicyFor(planner, path_);
   }

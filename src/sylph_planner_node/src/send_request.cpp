@@ -17,6 +17,7 @@ std::pair<std::string, sylph::Cell> readGoal(const std::string& argument) {
   int length = 0;
   const bool is_read =
       sign != std::string::npos && sign > 0 &&
+      // Nine digits at most, which an int holds; nothing may follow.
       std::sscanf(argument.c_str() + sign + 2, "%9d,%9d%n", &cell.row, &cell.col, &length) == 2 &&
       sign + 2 + static_cast<std::size_t>(length) == argument.size();
   if (!is_read) {

@@ -69,6 +69,8 @@ RobotExecution toRobotMessage(const sylph::RobotExecution& robot) {
 }
 
 bool isSane(const RobotExecution& message) {
+  // Anybody may publish on the topic: a number that is no enumerator would be undefined behaviour
+  // further on.
   constexpr auto kMaxCount = static_cast<std::uint32_t>(std::numeric_limits<int>::max());
   return message.condition <= RobotExecution::LOST &&
          message.report_state <= sylph_msgs::TaskReport::BLIND &&

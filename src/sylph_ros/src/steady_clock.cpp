@@ -38,6 +38,7 @@ SteadyClock SteadyClock::fromParameter(const ros::NodeHandle& suite_nh, LockStep
 SteadyClock SteadyClock::ofSpectator(const ros::NodeHandle& suite_nh) {
   if (isInLockStep(suite_nh)) {
     SteadyClock clock;
+    // It takes no part in the lock step, so that a display which hangs stops no lab.
     clock.follows_ros_time_ = true;
     return clock;
   }

@@ -44,6 +44,7 @@ std::string faultOf(const Task& message, const sylph::CellFrame& frame) {
     return "action " + std::to_string(message.action) + " does not lead from " + toString(start) +
            " to " + toString(end);
   }
+  // The same place told twice: a robot whose copy of the experiment differs must not drive by it.
   if (!isCenter(message.start_pos, start, frame) || !isCenter(message.end_pos, end, frame)) {
     return "positions are not the centres of " + toString(start) + " and " + toString(end) +
            ": the robot has another map or cell size";

@@ -104,6 +104,7 @@ std::string OperatorLink::takeOutcome() {
 }
 
 void OperatorLink::start(const MissionChoice& choice) {
+  // A second press while the first is at work asks for the same.
   if (start_.valid() && start_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
     return;
   }

@@ -272,6 +272,7 @@ std::optional<double> trackingError(const Scene& scene, const RobotView& robot) 
   const sylph::Point position = sylph::position(*robot.pose);
   auto from = centerOf(scene, sylph_ros::fromMessage(execution.cell));
   double nearest_m = sylph::distanceToSegment(position, *from, *from);
+  // Only so far ahead: a path that comes back here later would hide how far off the robot is.
   const std::size_t cells = std::min(execution.remaining_path.size(), kCellsAhead + 1);
   for (std::size_t k = 0; k < cells; ++k) {
     const auto to = centerOf(scene, sylph_ros::fromMessage(execution.remaining_path[k]));
