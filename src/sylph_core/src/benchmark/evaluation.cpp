@@ -4,6 +4,7 @@ namespace sylph {
 
 Evaluation evaluate(const Instance& instance, const PlanningResult& result) {
   Evaluation evaluation;
+  // A planner's own word is not enough.
   if (result.outcome == Outcome::Solved) {
     evaluation.violation = checkPlan(instance, result.plan);
     evaluation.is_solved = !evaluation.violation.has_value();

@@ -33,6 +33,7 @@ Cell readCell(const YamlMap& yaml, const std::string& key, bool is_random) {
     return yaml.cell(key);
   }
   if (yaml.has(key)) {
+    // A cell that is written down and not used would mislead whoever reads the file.
     throw yaml.error(key, "has no place here, '" + key + "s: random' draws it");
   }
   return {};
@@ -46,6 +47,7 @@ RobotSpec readRobot(const YamlMap& yaml, const std::vector<double>& footprint_m,
     throw yaml.error("name", inQuotes(robot.name) +
                                  ", must be a letter followed by letters, digits and underscores");
   }
+  // Most labs call the body as the robot.
   robot.rigid_body = yaml.text("rigid_body", robot.name);
   const std::vector<double> own_m =
       yaml.has("footprint_m") ? yaml.numbers("footprint_m", 2, Range::positive()) : footprint_m;
@@ -152,6 +154,7 @@ void placeRobots(bool has_random_starts, bool has_random_goals, Experiment& expe
   if (has_random_goals) {
     instance.goals = drawReachableCells(instance.grid, instance.starts, rng);
   }
+  // Drawn cells can be reached by how they are drawn; explicit ones have to be looked at.
   requireValid(instance);
   for (std::size_t agent = 0; agent < experiment.robots.size(); ++agent) {
     experiment.robots[agent].start = instance.starts[agent];

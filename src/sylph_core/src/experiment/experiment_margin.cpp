@@ -9,6 +9,7 @@ namespace sylph {
 SafetyFactors safetyFactors(const Experiment& experiment) {
   SafetyFactors factors;
   for (const RobotSpec& robot : experiment.robots) {
+    // Of any two robots that meet the larger ones count.
     factors.length_m = std::max(factors.length_m, robot.length_m);
     factors.width_m = std::max(factors.width_m, robot.width_m);
   }

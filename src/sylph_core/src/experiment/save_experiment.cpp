@@ -30,6 +30,7 @@ std::string nameFrom(const std::string& naming_file, const std::string& named_fi
   const auto file = std::filesystem::absolute(named_file);
   const auto folder = std::filesystem::absolute(naming_file).parent_path();
   std::error_code error;
+  // So that a folder with map and experiment can be moved.
   return std::filesystem::equivalent(folder, file.parent_path(), error) ? file.filename().string()
                                                                         : file.string();
 }

@@ -14,6 +14,7 @@
 namespace sylph {
 namespace {
 
+// A file given by mistake, such as a bag, must not be parsed as YAML for minutes.
 constexpr std::size_t kMaxYamlBytes = std::size_t{1} << 20;
 
 std::size_t lineOf(const YAML::Mark& mark) {
@@ -95,6 +96,7 @@ void YamlMap::refuseUnread() const {
       throw fileError(path_, lineOf(entry.first.Mark()),
                       prefix_ + printable(key) + ": unknown key, must be one of " + join(allowed));
     }
+    // yaml-cpp takes the first of two and says nothing.
     if (!seen.insert(entry.first.Scalar()).second) {
       throw fileError(path_, lineOf(entry.first.Mark()),
                       prefix_ + entry.first.Scalar() + ": given twice, must be given once");
@@ -211,6 +213,7 @@ Cell YamlMap::cell(const std::string& key) const {
   if (!node.IsSequence() || node.size() != 2) {
     throw errorAt(node, key, shown(node) + ", must be [row, col]");
   }
+  // Any cell: whether it is on the map is for those to say who know the map.
   constexpr int kLargest = std::numeric_limits<int>::max();
   return {static_cast<int>(toInteger(key, node[0], -kLargest, kLargest)),
           static_cast<int>(toInteger(key, node[1], -kLargest, kLargest))};
@@ -248,6 +251,7 @@ std::runtime_error YamlMap::error(const std::string& key, const std::string& wha
 }
 
 YAML::Node YamlMap::find(const std::string& key) const {
+  // What is asked for is what may be there: refuseUnread() needs no list of its own.
   if (std::find(asked_->begin(), asked_->end(), key) == asked_->end()) {
     asked_->push_back(key);
   }

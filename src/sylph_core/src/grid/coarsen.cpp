@@ -76,6 +76,8 @@ Grid coarsened(const Grid& grid, double small_m, double large_m, double margin_m
                                 std::to_string(grid.cols() * small_m) +
                                 " m: smaller than one cell of " + std::to_string(large_m) + " m");
   }
+  // Sums over rectangles: a map of a hall at 5 cm has millions of pixels, and each large cell asks
+  // for its surroundings.
   ObstacleCounts obstacles(grid);
   Grid coarse(rows, cols);
   for (int row = 0; row < rows; ++row) {
@@ -84,6 +86,7 @@ Grid coarsened(const Grid& grid, double small_m, double large_m, double margin_m
     const Touched r = touchedBy(bottom - side - margin, bottom + margin);
     for (int col = 0; col < cols; ++col) {
       const Touched c = touchedBy(col * side - margin, (col + 1) * side + margin);
+      // What lies beyond the map is not known to be free.
       const bool is_inside =
           r.first >= 0 && r.last <= grid.rows() && c.first >= 0 && c.last <= grid.cols();
       coarse.setObstacle({row, col},

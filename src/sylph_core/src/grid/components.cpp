@@ -35,6 +35,7 @@ Components connectedComponents(const Grid& grid) {
           floodFill(grid, cell, components.label, static_cast<int>(components.cells.size())));
     }
   }
+  // The largest first, which is where starts and goals are drawn.
   std::stable_sort(components.cells.begin(), components.cells.end(),
                    [](const auto& a, const auto& b) { return a.size() > b.size(); });
   for (std::size_t index = 0; index < components.cells.size(); ++index) {

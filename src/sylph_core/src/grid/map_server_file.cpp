@@ -220,6 +220,7 @@ std::vector<std::optional<double>> brightnessOf(const Image& image, int row) {
   std::vector<std::optional<double>> brightness(static_cast<std::size_t>(image.pixels.cols));
   const auto* value = values.ptr<double>();
   for (std::optional<double>& pixel : brightness) {
+    // As map_server does.
     const double sum = std::accumulate(value, value + colours, 0.0);
     if (channels == colours || value[colours] >= image.brightest) {
       pixel = std::min(1.0, sum / (colours * image.brightest));

@@ -84,6 +84,7 @@ std::optional<PlanViolation> checkMoves(const Configuration& from, const Configu
   }
   for (std::size_t agent = 0; agent < from.size(); ++agent) {
     const AgentId other = occupants.at(to[agent]);
+    // Each pair once; an agent that stays is its own occupant.
     if (other > static_cast<AgentId>(agent) && to[static_cast<std::size_t>(other)] == from[agent]) {
       return violation(ViolationKind::EdgeConflict, timestep, {static_cast<AgentId>(agent), other},
                        "agents " + std::to_string(agent) + " and " + std::to_string(other) +
@@ -137,6 +138,7 @@ std::optional<PlanViolation> checkPlan(const Instance& instance, const Plan& pla
   }
   Occupants occupants(instance.grid);
   for (std::size_t t = 0; t < plan.size(); ++t) {
+    // All configurations before any move: moves are only judged between legal ones.
     if (plan[t].size() != instance.starts.size()) {
       return violation(ViolationKind::WrongAgentCount, t, {},
                        std::to_string(plan[t].size()) + " agents instead of " +

@@ -20,6 +20,7 @@ PlanMetrics computeMetrics(const Instance& instance, const Plan& plan) {
   metrics.steps = static_cast<int>(plan.size()) - 1;
   for (std::size_t agent = 0; agent < instance.goals.size(); ++agent) {
     const Cell& goal = instance.goals[agent];
+    // Whoever does not arrive costs the whole plan.
     int cost = metrics.steps;
     if (plan.back()[agent] == goal) {
       ++metrics.arrived;

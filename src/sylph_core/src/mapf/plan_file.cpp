@@ -52,6 +52,7 @@ class Scanner {
 
 Configuration readConfiguration(const std::string& path, std::size_t line, Scanner& scanner) {
   try {
+    // A line that is missing would shift all after it, unseen.
     if (const int step = scanner.number(); step != static_cast<int>(line) - 1) {
       throw fileError(path, line,
                       "step " + std::to_string(step) + ": must be " + std::to_string(line - 1));

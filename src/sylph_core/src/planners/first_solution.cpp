@@ -16,6 +16,7 @@ FirstSolution findFirstSolution(const SearchProblem& problem,
     if (solution.status != Lacam::Status::Unfinished) {
       break;
     }
+    // Longer each time: who needs more steps than the first attempt had must get them some day.
     max_steps += max_steps / 2;
   }
   return solution;

@@ -20,6 +20,7 @@ class Workers {
           const ImprovementSettings& settings, int threads, Rng& rng) {
     for (int thread = 0; thread < threads; ++thread) {
       searches_.push_back(std::make_unique<LargeNeighborhoodSearch>(problem, plan, settings));
+      // One thread draws as the caller would: a plan of one thread depends on the seed alone.
       rngs_.emplace_back(thread == 0 ? rng : Rng(rng()));
     }
   }
@@ -35,6 +36,7 @@ class Workers {
     for (std::thread& thread : threads) {
       thread.join();
     }
+    // The best plan is where all go on: differences between threads are luck.
     if (searches_.size() > 1 && !deadline.isOver()) {
       offer(best().plan());
     }
@@ -168,6 +170,7 @@ Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
       LargeNeighborhoodSearch::bytesOf(problem, static_cast<int>(plan.size()) - 1);
   const double affordable_bytes = std::min(
       settings.most_table_bytes, settings.table_share * time_s * settings.table_bytes_per_s);
+  // On such maps to fill the table alone takes the time that there is.
   if (table_bytes > affordable_bytes) {
     improvement.plan = restarts.run(std::move(plan), std::numeric_limits<int>::max(), deadline);
     return improvement;

@@ -121,6 +121,7 @@ class Network::Reader {
             dense(block + ".linear2", width, 2 * width),
             norm(block + ".norm2", width)};
   }
+  // A tensor that is left over is of another network, whose other tensors may only look alike.
   void requireNothingLeft() const {
     for (const auto& [tensor, values] : file_.tensors) {
       if (taken_.count(tensor) == 0) {
@@ -240,6 +241,7 @@ Network::Network(const NetworkShape& shape, const TensorFile& weights, const std
   positions_ = Eigen::Map<const AgentRows>(
       reader.take("semantic.positions", {tokens + 1, width}).data(), tokens + 1, width);
   semantic_ = reader.attention("semantic", width);
+  // Without bias, which goes with the positions: keys are linear in tokens, see Network.
   basis_key_ = {width, width, reader.take("semantic.key.weight", {width, width}), zeros(width)};
   basis_value_ = {width, width, reader.take("semantic.value.weight", {width, width}), zeros(width)};
   position_keys_.resize(tokens, width);

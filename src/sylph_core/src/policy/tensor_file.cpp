@@ -120,6 +120,7 @@ void saveTensorFile(const TensorFile& file, const std::string& path) {
   std::string text = header.dump();
   text.resize((text.size() + 7) / 8 * 8, ' ');  // data starts on a multiple of 8 bytes
   const std::uint64_t header_size = text.size();
+  // A trainer that is killed while it writes must leave the weights of before.
   const std::string partial = path + ".partial";
   {
     std::ofstream stream(partial, std::ios::binary | std::ios::trunc);
