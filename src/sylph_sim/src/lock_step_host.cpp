@@ -118,7 +118,7 @@ void LockStepHost::onTimer() {
     }
     if (wall_s - called_wall_s_ > kCallPeriodWall_s) {
       called_wall_s_ = wall_s;
-      // Said again as long as somebody has not answered: a message may be lost.
+      // Said again as long as a node has not answered: a message may be lost.
       (waiting_ == Waiting::ForFirst ? first_publisher_ : second_publisher_).publish(tick_);
     }
   }

@@ -71,7 +71,7 @@ void RobotController::followTasks() {
 PoseVerdict RobotController::onPose(const TimedPose& pose) {
   const std::optional<TimedPose> before = watch_.last();
   if (followed_plan_ == 0) {
-    watch_.confirm();  // before its first task it does not drive: people put it where it is
+    watch_.confirm();  // before its first task it does not drive: it was put there
   }
   const std::optional<TimedPose> seen = watch_.seen();
   const Pose2d driven = drivenUntil(pose);

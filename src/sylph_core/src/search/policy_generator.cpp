@@ -23,7 +23,7 @@ std::vector<double> distancesFromStart(const SearchProblem& problem) {
 /// distance alone.
 std::vector<double> selfishFirst(const std::vector<float>& svo_deg, const Priorities& priorities,
                                  const std::vector<double>& distances) {
-  // PIBT solves what it solves since somebody stays first until it arrives.
+  // PIBT solves what it solves since an agent stays first until it arrives.
   constexpr int kLongWait = 30;      // [timesteps]
   constexpr double kPerLevel = 1e9;  // more than any distance
   std::vector<double> tie_breaks = distances;

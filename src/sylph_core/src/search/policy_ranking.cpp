@@ -41,7 +41,7 @@ void PolicyRanking::rank(AgentId agent, VertexId at, const Occupants& occupied_n
 
 double PolicyRanking::temperatureOf(AgentId agent, VertexId at,
                                     const Occupants& occupied_now) const {
-  // That of the neighbours counts too: who is in the way of somebody stuck has to try other moves
+  // That of the neighbours counts too: who is in the way of a stuck agent has to try other moves
   // as well.
   int priority = (*priorities_)[agent];
   for (const VertexId beside : problem_->graph.neighbors(at)) {
