@@ -53,7 +53,7 @@ std::string GoalJudge::unreachable(const Cell& goal, const Cell& start) const {
   if (labelOf(labels_, goal) == label) {
     return {};
   }
-  const std::string text = "cannot be reached from its cell " + toString(start);
+  std::string text = "cannot be reached from its cell " + toString(start);
   if (labelOf(map_labels_, goal) != labelOf(map_labels_, start)) {
     return text;
   }
