@@ -15,7 +15,16 @@ namespace {
 constexpr double kTickPeriod_s = 0.05;
 constexpr double kPoseTimeout_s = 0.5;
 /// A search that has found nothing after so many steps has failed: a mission ends in any case.
-constexpr double kSearchSteps = 5000.0;
+constexpr double kLeastSearchSteps = 5000.0;
+/// Before it, each agent's distances spread by a cell a step, seldom farther than this many times
+/// rows and columns.
+constexpr double kLongestWay = 4.0;
+
+double searchSteps(const sylph::Experiment& experiment) {
+  const int sides = experiment.grid.rows() + experiment.grid.cols();
+  return std::max(kLeastSearchSteps,
+                  kLongestWay * sides * static_cast<double>(experiment.robots.size()));
+}
 
 sylph::Mission rehearsedMission(const sylph::Experiment& experiment,
                                 std::shared_ptr<const sylph::Policy> policy) {
@@ -23,7 +32,7 @@ sylph::Mission rehearsedMission(const sylph::Experiment& experiment,
   sylph::makePlanner(experiment.planning.planner, policy);
   sylph::Mission mission = sylph::toMission(experiment, std::move(policy));
   // Never by the wall: the plan depends on the seed alone.
-  mission.search_steps_per_s = kSearchSteps / mission.time_limit_s;
+  mission.search_steps_per_s = searchSteps(experiment) / mission.time_limit_s;
   mission.first_solution_only = true;
   return mission;
 }

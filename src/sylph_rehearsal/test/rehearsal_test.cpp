@@ -131,6 +131,17 @@ TEST(RehearsalTest, NamesWhyThereIsNoPlan) {
   EXPECT_NE(std::string::npos, run.cause.find("of robot_1 lies on an obstacle")) << run.cause;
 }
 
+TEST(RehearsalTest, PlansLongWaysOfManyRobots) {
+  std::vector<std::pair<sylph::Cell, sylph::Cell>> missions;
+  for (int robot = 0; robot < 24; ++robot) {
+    missions.push_back({{robot, 0}, {robot, 239}});
+  }
+  RehearsalOptions options;
+  options.time_limit_s = 3.0;
+  const Rehearsal run = rehearse(openLab(24, 240, missions), options, nullptr);
+  EXPECT_EQ(239, run.result.plan_steps) << run.cause;
+}
+
 TEST(RehearsalTest, NamesTheOptionThatIsOutOfItsBounds) {
   RehearsalOptions options;
   options.network.loss = 1.5;
