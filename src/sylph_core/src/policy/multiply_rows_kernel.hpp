@@ -10,9 +10,9 @@ namespace {
 template <int kLanes, int kRows>
 struct Kernel {
   static constexpr int kColumns = 2 * kLanes;
-  // A typedef: g++ 12 drops the attribute from an alias that depends on a template parameter.
-  typedef float Vector
-      __attribute__((vector_size(kLanes * sizeof(float))));  // NOLINT(modernize-use-using)
+  // g++ 12 drops the attribute from an alias that depends on a template parameter.
+  // NOLINTNEXTLINE(modernize-use-using)
+  typedef float Vector __attribute__((vector_size(kLanes * sizeof(float))));
   static_assert(sizeof(Vector) == kLanes * sizeof(float));
 
   static Vector load(const float* from) {
@@ -47,6 +47,12 @@ struct Kernel {
     }
   }
 
+  static void write(const float* sums, int count, bool relu, float* out) {
+    for (int k = 0; k < count; ++k) {
+      out[k] = relu && sums[k] < 0.F ? 0.F : sums[k];
+    }
+  }
+
   static void multiply(const Multiplication& task) {
     for (int first = 0; first < task.rows; first += kRows) {
       const int taken = task.rows - first < kRows ? task.rows - first : kRows;
@@ -60,11 +66,7 @@ struct Kernel {
         const int left = task.outputs_per_row - column;
         const int useful = left < kColumns ? left : kColumns;
         for (int row = 0; row < taken; ++row) {
-          float* out = task.outputs[first + row] + column;
-          for (int k = 0; k < useful; ++k) {
-            const float sum = sums[row * kColumns + k];
-            out[k] = task.relu && sum < 0.F ? 0.F : sum;
-          }
+          write(sums + row * kColumns, useful, task.relu, task.outputs[first + row] + column);
         }
       }
     }
