@@ -15,6 +15,12 @@ macro(sylph_project_defaults)
   if(NOT catkin_FOUND)
     option(BUILD_SHARED_LIBS "build a shared library" ON)
     include(CTest)
+    option(SYLPH_FUZZERS "build the fuzzers; needs clang" OFF)
+    if(SYLPH_FUZZERS)
+      add_compile_options(-O1 -gline-tables-only -fno-omit-frame-pointer -D_GLIBCXX_ASSERTIONS
+        -fsanitize=fuzzer-no-link,address,undefined,float-cast-overflow -fno-sanitize-recover=all)
+      add_link_options(-fsanitize=address,undefined)
+    endif()
   endif()
 endmacro()
 
@@ -66,6 +72,20 @@ function(sylph_add_rostest_gtest target)
   target_link_libraries(${target} ${PROJECT_NAME} ${catkin_LIBRARIES})
   sylph_set_warnings(${target})
   sylph_build_test_quickly(${target})
+endfunction()
+
+# Fuzzers fuzz/<name>_fuzzer.cpp, under plain CMake with -DSYLPH_FUZZERS=ON, as scripts/fuzz has it:
+#   sylph_add_fuzzers(LIBRARY NAME...)
+function(sylph_add_fuzzers library)
+  if(catkin_FOUND OR NOT SYLPH_FUZZERS)
+    return()
+  endif()
+  foreach(name IN LISTS ARGN)
+    add_executable(${name}_fuzzer fuzz/${name}_fuzzer.cpp)
+    target_link_libraries(${name}_fuzzer ${library} -fsanitize=fuzzer)
+    target_include_directories(${name}_fuzzer PRIVATE ${CMAKE_CURRENT_SOURCE_DIR})  # "fuzz/..."
+    sylph_set_warnings(${name}_fuzzer)
+  endforeach()
 endfunction()
 
 # The version in the package.xml of this folder.
