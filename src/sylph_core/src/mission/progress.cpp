@@ -53,8 +53,9 @@ std::vector<std::string> waitingLines(const AdgState& state) {
   }
   for (const RobotExecution& robot : state.robots) {
     if (robot.condition != RobotCondition::Ok) {
-      lines.push_back(robot.robot + " " + conditionText(robot) +
-                      (robot.root_cause.empty() ? "" : ": " + robot.root_cause));
+      // The cause says more exactly what the condition does.
+      lines.push_back(robot.robot + (robot.root_cause.empty() ? " " + conditionText(robot)
+                                                              : ": " + robot.root_cause));
     } else if (!robot.waits_for_robot.empty()) {
       lines.push_back(waitingText(robot));
     }

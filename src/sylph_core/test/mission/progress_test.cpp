@@ -40,6 +40,8 @@ TEST(WaitingLinesTest, SayWhoWaitsForWhomAndWhy) {
   EXPECT_EQ("robot_0 waits 1.2 s for robot_1 to leave (2,3); held up by robot_2: has no good pose",
             lines[0]);
   EXPECT_EQ("robot_2 has no good pose", lines[1]);
+  state.robots[2].root_cause = "no good pose: pose is frozen";
+  EXPECT_EQ("robot_2: no good pose: pose is frozen", waitingLines(state)[1]);
 }
 
 TEST(WaitingLinesTest, BeginWithAPause) {
