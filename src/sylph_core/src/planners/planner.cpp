@@ -35,12 +35,6 @@ std::string toString(Outcome outcome) {
   return "unknown";
 }
 
-const std::vector<std::string>& plannerNames() {
-  static const std::vector<std::string> kNames = {"lacam", "pibt", "sylph", "sylph_pibt",
-                                                  "sylph_lacam"};
-  return kNames;
-}
-
 bool needsPolicy(const std::string& planner_name) {
   return policyUses().count(planner_name) > 0;
 }
