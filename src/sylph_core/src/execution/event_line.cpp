@@ -7,6 +7,8 @@
 #include <utility>
 #include <variant>
 
+#include "text/json_integer.hpp"
+
 namespace sylph {
 namespace {
 
@@ -23,7 +25,7 @@ json toJson(const Configuration& cells) {
 Configuration cellsFromJson(const json& list) {
   Configuration cells;
   for (const json& cell : list) {
-    cells.push_back({cell.at(0).get<int>(), cell.at(1).get<int>()});
+    cells.push_back({integerOf<int>(cell.at(0)), integerOf<int>(cell.at(1))});
   }
   return cells;
 }
@@ -52,7 +54,7 @@ json toJson(const MissionPlan& plan) {
 MissionPlan planFromJson(const json& object, std::uint32_t plan_id) {
   MissionPlan plan;
   plan.plan_id = plan_id;
-  plan.replaces_plan_id = object.at("replaces_plan_id").get<std::uint32_t>();
+  plan.replaces_plan_id = integerOf<std::uint32_t>(object.at("replaces_plan_id"));
   plan.planner = object.at("planner").get<std::string>();
   plan.planning_s = object.at("planning_s").get<double>();
   plan.robots = object.at("robots").get<std::vector<std::string>>();
@@ -64,7 +66,7 @@ MissionPlan planFromJson(const json& object, std::uint32_t plan_id) {
   const json& svo_deg = object.at("svo_deg");
   for (std::size_t step = 0; step < partners.size(); ++step) {
     SocialState social;
-    social.partners = partners.at(step).get<std::vector<AgentId>>();
+    social.partners = integersOf<AgentId>(partners.at(step));
     for (const json& value : svo_deg.at(step)) {
       social.svo_deg.push_back(value.is_null() ? std::numeric_limits<float>::quiet_NaN()
                                                : value.get<float>());
@@ -162,13 +164,13 @@ What whatFromJson(const json& object, std::uint32_t plan_id,
     return event::Abandoned{};
   }
   if (name == "released") {
-    return event::Released{robotOf(object, names), object.at("sequence").get<int>()};
+    return event::Released{robotOf(object, names), integerOf<int>(object.at("sequence"))};
   }
   if (name == "accepted") {
-    return event::Accepted{robotOf(object, names), object.at("count").get<int>()};
+    return event::Accepted{robotOf(object, names), integerOf<int>(object.at("count"))};
   }
   if (name == "done") {
-    return event::Done{robotOf(object, names), object.at("sequence").get<int>()};
+    return event::Done{robotOf(object, names), integerOf<int>(object.at("sequence"))};
   }
   if (name == "condition") {
     return event::Condition{robotOf(object, names), wordOf<RobotCondition>(object, "condition"),
@@ -202,9 +204,11 @@ StampedEvent eventFromLine(const std::string& line, const std::vector<std::strin
           "written by an earlier version of the suite, whose events had a 'number': "
           "start with a new run folder");
     }
-    const auto plan_id = object.at("plan_id").get<std::uint32_t>();
+    const auto plan_id = integerOf<std::uint32_t>(object.at("plan_id"));
     return {object.at("stamp").get<double>(), {plan_id, whatFromJson(object, plan_id, names)}};
   } catch (const json::exception& error) {
+    throw std::runtime_error(error.what());
+  } catch (const std::invalid_argument& error) {
     throw std::runtime_error(error.what());
   }
 }

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "sylph_core/text/join.hpp"
+#include "text/json_integer.hpp"
 
 namespace sylph {
 namespace {
@@ -44,8 +45,8 @@ Tensor readTensor(const std::string& path, const std::string& name, const json& 
     refuse(path, "tensor '" + name + "' is of type " + type + ": must be F32");
   }
   Tensor tensor;
-  tensor.shape = entry.at("shape").get<std::vector<std::int64_t>>();
-  const auto offsets = entry.at("data_offsets").get<std::vector<std::uint64_t>>();
+  tensor.shape = integersOf<std::int64_t>(entry.at("shape"));
+  const auto offsets = integersOf<std::uint64_t>(entry.at("data_offsets"));
   const std::uint64_t bytes = elementCount(path, name, tensor.shape) * sizeof(float);
   if (offsets.size() != 2 || offsets[0] > offsets[1] || offsets[1] > data.size() ||
       offsets[1] - offsets[0] != bytes) {
@@ -96,6 +97,8 @@ TensorFile loadTensorFile(const std::string& path) {
       }
     }
   } catch (const json::exception& error) {
+    refuse(path, std::string("bad header: ") + error.what());
+  } catch (const std::invalid_argument& error) {
     refuse(path, std::string("bad header: ") + error.what());
   }
   return file;

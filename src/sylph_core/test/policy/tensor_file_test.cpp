@@ -84,6 +84,11 @@ TEST(TensorFileTest, SaysWhatIsWrongWithAFile) {
   EXPECT_NE(std::string::npos, entry("F32", "[-1]", "[0,4]").find("shape"));
   EXPECT_NE(std::string::npos, entry("F32", "[4294967295,4294967295]", "[0,4]").find("shape"));
   EXPECT_NE(std::string::npos, entry("F32", "\"x\"", "[0,4]").find("bad header"));
+  for (const std::string number : {"1e300", "1.5", "true", "18446744073709551616"}) {
+    EXPECT_NE(std::string::npos, entry("F32", "[" + number + "]", "[0,4]").find("whole number"));
+    EXPECT_NE(std::string::npos, entry("F32", "[1]", "[0," + number + "]").find("whole number"));
+  }
+  EXPECT_NE(std::string::npos, entry("F32", "[1]", "[-4,0]").find("whole number"));
   EXPECT_THROW(loadTensorFile(pathOf("missing.safetensors")), std::runtime_error);
 }
 
