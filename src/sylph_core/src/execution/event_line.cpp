@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "text/json_integer.hpp"
+#include "text/one_line.hpp"
 
 namespace sylph {
 namespace {
@@ -130,7 +131,7 @@ int robotOf(const json& object, const std::vector<std::string>& names) {
   const auto robot = object.at("robot").get<std::string>();
   const auto found = std::find(names.begin(), names.end(), robot);
   if (found == names.end()) {
-    throw std::runtime_error("robot '" + robot + "' is not in the experiment");
+    throw std::runtime_error("robot '" + inOneLine(robot) + "' is not in the experiment");
   }
   return static_cast<int>(found - names.begin());
 }
@@ -144,7 +145,7 @@ Enumerator wordOf(const json& object, const char* key) {
       return static_cast<Enumerator>(value);
     }
   }
-  throw std::runtime_error("unknown " + std::string(key) + " '" + word + "'");
+  throw std::runtime_error("unknown " + std::string(key) + " '" + inOneLine(word) + "'");
 }
 
 using What = ExecutionEvent::What;
@@ -185,7 +186,7 @@ What whatFromJson(const json& object, std::uint32_t plan_id,
   if (name == "phase") {
     return event::Phase{wordOf<ExecutionPhase>(object, "phase")};
   }
-  throw std::runtime_error("unknown event '" + name + "'");
+  throw std::runtime_error("unknown event '" + inOneLine(name) + "'");
 }
 
 }  // namespace

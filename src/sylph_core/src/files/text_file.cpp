@@ -9,10 +9,13 @@
 #include <fstream>
 #include <system_error>
 
+#include "text/one_line.hpp"
+
 namespace sylph {
 
 std::runtime_error fileError(const std::string& path, std::size_t line, const std::string& what) {
-  return std::runtime_error(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what);
+  return std::runtime_error(
+      inOneLine(path + (line > 0 ? ":" + std::to_string(line) : "") + ": " + what));
 }
 
 std::string readTextFile(const std::string& path, std::size_t max_bytes) {
@@ -74,15 +77,12 @@ int parseInteger(const std::string& text, int lowest, int highest) {
   return value;
 }
 
-std::string inOneLine(std::string text) {
-  std::replace_if(
-      text.begin(), text.end(), [](unsigned char c) { return std::isprint(c) == 0; }, '?');
-  return text;
-}
-
 std::string printable(const std::string& text) {
   constexpr std::size_t kLongest = 40;
-  return inOneLine(text.size() > kLongest ? text.substr(0, kLongest - 3) + "..." : text);
+  std::string shown = text.size() > kLongest ? text.substr(0, kLongest - 3) + "..." : text;
+  std::replace_if(
+      shown.begin(), shown.end(), [](unsigned char c) { return std::isprint(c) == 0; }, '?');
+  return shown;
 }
 
 std::string inQuotes(const std::string& text) {

@@ -7,7 +7,8 @@
 
 namespace sylph {
 
-/// An error in a file, in one line: "path:line: what", the line from 1 or left out if 0.
+/// An error in a file, in one line whatever the file is called: "path:line: what", the line from 1
+/// or left out if 0.
 std::runtime_error fileError(const std::string& path, std::size_t line, const std::string& what);
 
 /// Content of a file.
@@ -24,9 +25,6 @@ std::vector<std::string> splitLines(const std::string& text);
 /// A whole number, all of `text`, within the bounds.
 /// @throws std::invalid_argument "'text': must be a whole number lowest ... highest"
 int parseInteger(const std::string& text, int lowest, int highest);
-
-/// For messages: unprintable characters as '?'.
-std::string inOneLine(std::string text);
 
 /// For messages: at most 40 characters, unprintable ones as '?'.
 std::string printable(const std::string& text);

@@ -82,7 +82,7 @@ YamlMap YamlMap::load(const std::string& path) {
     }
     return {path, "", document};
   } catch (const YAML::Exception& exception) {
-    throw fileError(path, lineOf(exception.mark), "is not YAML: " + inOneLine(exception.msg));
+    throw fileError(path, lineOf(exception.mark), "is not YAML: " + exception.msg);
   }
 }
 

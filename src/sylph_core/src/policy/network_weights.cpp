@@ -7,6 +7,7 @@
 #include "sylph_core/policy/network.hpp"
 #include "sylph_core/policy/observation.hpp"
 #include "sylph_core/text/join.hpp"
+#include "text/one_line.hpp"
 
 // Reading the network's weights: which tensors there are, of which shape, and how they are laid out
 // in memory.
@@ -48,7 +49,7 @@ void requireSameObservation(const std::string& described) {
 }
 
 [[noreturn]] void refuse(const std::string& name, const std::string& what) {
-  throw std::runtime_error(name + ": " + what);
+  throw std::runtime_error(inOneLine(name + ": " + what));
 }
 
 /// From (outputs x channels x pixels), as the trainer has it, to (outputs x pixels x channels).

@@ -5,6 +5,7 @@
 
 #include "sylph_core/policy/observation.hpp"
 #include "sylph_core/social/svo.hpp"
+#include "text/one_line.hpp"
 
 namespace sylph {
 namespace {
@@ -40,7 +41,7 @@ Network readNetwork(const TensorFile& weights, const std::string& name) {
     requireSize("svo_levels", shape.svo_levels, kSvoLevelCount);
     return {shape, weights, name};
   } catch (const std::invalid_argument& error) {
-    throw std::runtime_error(name + ": " + error.what());
+    throw std::runtime_error(inOneLine(name + ": " + error.what()));
   }
 }
 
@@ -50,8 +51,8 @@ bool readMemory(const TensorFile& weights, const std::string& name) {
     return false;
   }
   if (entry->second != "true") {
-    throw std::runtime_error(name + ": metadata 'memory' is '" + entry->second +
-                             "': must be 'true' or 'false'");
+    throw std::runtime_error(inOneLine(name + ": metadata 'memory' is '" + entry->second +
+                                       "': must be 'true' or 'false'"));
   }
   return true;
 }

@@ -10,6 +10,7 @@
 
 #include "sylph_core/text/join.hpp"
 #include "text/json_integer.hpp"
+#include "text/one_line.hpp"
 
 namespace sylph {
 namespace {
@@ -20,7 +21,7 @@ constexpr std::uint64_t kMaxHeaderBytes = 100'000'000;  // as the reference impl
 constexpr char kMetadataKey[] = "__metadata__";
 
 [[noreturn]] void refuse(const std::string& path, const std::string& what) {
-  throw std::runtime_error(path + ": " + what);
+  throw std::runtime_error(inOneLine(path + ": " + what));
 }
 
 std::uint64_t elementCount(const std::string& path, const std::string& name,

@@ -52,5 +52,14 @@ TEST(EventLineTest, CellsAndPartnersAreWholeNumbers) {
   EXPECT_NE("", errorOf(line("[0,1]", "null")));
 }
 
+TEST(EventLineTest, AnErrorIsOneLineWhateverTheWordsAre) {
+  const std::string unknown = R"({"stamp":1.0,"plan_id":1,"event":"a\nb"})";
+  EXPECT_EQ("unknown event 'a?b'", errorOf(unknown));
+  const std::string robot = R"({"stamp":1.0,"plan_id":1,"event":"lost","robot":"a\nb"})";
+  EXPECT_EQ("robot 'a?b' is not in the experiment", errorOf(robot));
+  const std::string mode = R"({"stamp":1.0,"plan_id":1,"event":"mode","mode":"a\nb"})";
+  EXPECT_EQ("unknown mode 'a?b'", errorOf(mode));
+}
+
 }  // namespace
 }  // namespace sylph

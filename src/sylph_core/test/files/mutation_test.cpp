@@ -109,6 +109,12 @@ TEST(MutationTest, YamlWithAnUnknownEscapeIsRefusedInOneLine) {
               [&] { loadExperiment(path); });
 }
 
+TEST(MutationTest, AnErrorIsOneLineWhateverAFileIsCalled) {
+  const TemporaryFolder folder;
+  const std::string path = folder.write("lab.yaml", "map: \"a\\nb.map\"\n");
+  expectError("a?b.map: there is no such file", [&] { loadExperiment(path); });
+}
+
 TEST(MutationTest, DeeplyNestedYamlIsRefused) {
   const TemporaryFolder folder;
   const std::string path = folder.write("lab.yaml", "map: " + std::string(500'000, '['));

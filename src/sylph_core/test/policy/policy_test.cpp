@@ -78,6 +78,16 @@ TEST_F(PolicyTest, RefusesTensorsOfAnotherShape) {
   expectRefused("has no tensor 'heads.svo.bias'; the network needs it, of shape [10]");
 }
 
+TEST_F(PolicyTest, RefusesInOneLineWhateverTheWeightsHold) {
+  weights_.tensors["a\nb"] = {{1}, {0.F}};
+  expectRefused("tensor 'a?b' is no part of the network");
+  weights_.metadata["architecture"] = "a\nb";
+  expectRefused("metadata 'architecture' is 'a?b': must be 'sylph-2'");
+  weights_ = RandomWeights(smallShape(), 3).file();
+  weights_.metadata["memory"] = "a\nb";
+  expectRefused("metadata 'memory' is 'a?b': must be 'true' or 'false'");
+}
+
 TEST_F(PolicyTest, IgnoresMetadataThatItDoesNotKnow) {
   weights_.metadata["cost_width"] = "0";  // as weights had that said to have no cost head
   EXPECT_EQ(24, Policy(weights_, "w").network().shape().width);

@@ -92,6 +92,12 @@ TEST(TensorFileTest, SaysWhatIsWrongWithAFile) {
   EXPECT_THROW(loadTensorFile(pathOf("missing.safetensors")), std::runtime_error);
 }
 
+TEST(TensorFileTest, AnErrorIsOneLineWhateverTensorsAreCalled) {
+  const std::string error =
+      errorOf(withHeader(R"({"a\nb":{"dtype":"F\n16","shape":[],"data_offsets":[0,4]}})", ""));
+  EXPECT_NE(std::string::npos, error.find("tensor 'a?b' is of type F?16: must be F32")) << error;
+}
+
 TEST(TensorFileProperty, ABrokenFileIsReadOrRefusedWithItsName) {
   TensorFile file;
   file.tensors["a"] = {{2, 3}, {1.F, 2.F, 3.F, 4.F, 5.F, 6.F}};
