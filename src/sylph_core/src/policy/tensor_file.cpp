@@ -1,5 +1,6 @@
 #include "sylph_core/policy/tensor_file.hpp"
 
+#include <algorithm>
 #include <cstdio>
 #include <cstring>
 #include <filesystem>
@@ -56,7 +57,8 @@ Tensor readTensor(const std::string& path, const std::string& name, const json& 
                      " bytes of data; its data_offsets say otherwise");
   }
   tensor.values.resize(bytes / sizeof(float));
-  std::memcpy(tensor.values.data(), data.data() + offsets[0], bytes);
+  // Not by memcpy(), to which an empty tensor's null is forbidden.
+  std::copy_n(data.data() + offsets[0], bytes, reinterpret_cast<char*>(tensor.values.data()));
   return tensor;
 }
 

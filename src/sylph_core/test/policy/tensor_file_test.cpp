@@ -57,6 +57,15 @@ TEST(TensorFileTest, ThereAndBackIsTheIdentity) {
   EXPECT_FALSE(std::filesystem::exists(path + ".partial"));
 }
 
+TEST(TensorFileTest, ATensorMayBeEmpty) {
+  TensorFile file;
+  file.tensors["a"] = {{0, 3}, {}};
+  const std::string path = pathOf("empty.safetensors");
+  saveTensorFile(file, path);
+  EXPECT_EQ(file.tensors["a"].shape, loadTensorFile(path).tensors.at("a").shape);
+  EXPECT_TRUE(loadTensorFile(path).tensors.at("a").values.empty());
+}
+
 TEST(TensorFileTest, RefusesToWriteValuesThatDoNotFillTheShape) {
   TensorFile file;
   file.tensors["a"] = {{2, 2}, {1.F}};
