@@ -86,6 +86,10 @@ class LockStepTest(unittest.TestCase):
         self.wait(lambda: fleet.process.poll() is not None, "the mission ends")
         result = fleet.result()
         self.assertEqual((True, 8, 0), (result["success"], result["arrived"], result["collisions"]))
+        # And stamps are right at once: robots are not blind for longer than the cameras were silent.
+        changes = [event for event in events_of(fleet) if event.get("plan_id") == 1 and event.get("robot") == "robot_0" and "condition" in event]
+        self.assertEqual(["blind", "ok"], [event["condition"] for event in changes])
+        self.assertLess(changes[1]["stamp"] - changes[0]["stamp"], SILENT_S + 2.0)
 
 
 if __name__ == "__main__":

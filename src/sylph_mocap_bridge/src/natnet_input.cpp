@@ -77,12 +77,16 @@ void NatnetInput::takeFramesUpTo(std::int32_t number) {
   const auto deadline = steady_clock::now() + kLockStepPatience;
   do {
     try {
-      for (const auto& received : client_.pollAll(milliseconds(last_number_ < number ? 10 : 0))) {
-        followServer();
+      auto frames = client_.pollAll(milliseconds(last_number_ < number ? 10 : 0));
+      if (client_.session() != session_) {
+        held_.clear();  // of a server that is gone, which counted its own numbers
+      }
+      for (auto& received : frames) {
         last_number_ = received.frame.number;
-        onFrame(received);
+        held_.push_back(std::move(received));
       }
       followServer();
+      handleHeldUpTo(number);
     } catch (const std::exception& error) {
       ROS_ERROR_THROTTLE(1.0, "frame dropped: %s", error.what());
     }
@@ -90,6 +94,14 @@ void NatnetInput::takeFramesUpTo(std::int32_t number) {
   last_number_ = std::max(last_number_, number);
   if (steady_clock::now() - last_shared_ > kStatusPeriod) {
     shareStatus();
+  }
+}
+
+void NatnetInput::handleHeldUpTo(std::int32_t number) {
+  while (!held_.empty() && held_.front().frame.number <= number) {
+    const sylph_natnet::ReceivedFrame received = std::move(held_.front());
+    held_.pop_front();
+    onFrame(received);
   }
 }
 

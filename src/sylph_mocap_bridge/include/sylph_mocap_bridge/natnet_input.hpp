@@ -1,6 +1,7 @@
 #pragma once
 
 #include <atomic>
+#include <deque>
 #include <mutex>
 #include <string>
 #include <thread>
@@ -45,7 +46,10 @@ class NatnetInput : public MeasurementInput {
 
   void receive();
   void joinLockStep(sylph_ros::LockStep& lock_step);
+  /// Waits for the frames of a tick. Those of later ticks, which a node that stood still finds, are
+  /// held: taken now, they would seem to come before they were sent, and so shift all stamps.
   void takeFramesUpTo(std::int32_t number);
+  void handleHeldUpTo(std::int32_t number);
   void onFrame(const sylph_natnet::ReceivedFrame& received);
   void followServer();
   std::vector<Measurement> measurementsOf(const sylph_natnet::Frame& frame, double time_s,
@@ -66,7 +70,8 @@ class NatnetInput : public MeasurementInput {
   std::uint64_t session_ = 0;
   std::uint64_t definitions_revision_ = 0;
   double last_now_s_ = 0.0;
-  std::int32_t last_number_ = 0;
+  std::int32_t last_number_ = 0;                  ///< of the frames that have come
+  std::deque<sylph_natnet::ReceivedFrame> held_;  ///< come, but of ticks that are still to be taken
   Status own_status_;
   std::chrono::steady_clock::time_point last_shared_;
 
