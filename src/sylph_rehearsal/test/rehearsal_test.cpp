@@ -80,6 +80,18 @@ TEST(FaultedRehearsalTest, GoesOnAfterWhatPasses) {
   }
 }
 
+TEST(FaultedRehearsalTest, GoesOnAfterAllRobotsWereUnseenForAMoment) {
+  const std::vector<LabFault> occlusions = {simulated(sylph_sim::FaultKind::Lost, {}, 3.0, 0.3),
+                                            simulated(sylph_sim::FaultKind::Lost, {}, 6.0, 0.5),
+                                            simulated(sylph_sim::FaultKind::Lost, {}, 9.0, 0.2),
+                                            simulated(sylph_sim::FaultKind::Lost, {}, 12.0, 1.0)};
+  for (std::uint32_t seed = 1; seed <= 10; ++seed) {
+    SCOPED_TRACE(seed);
+    const Rehearsal run = rehearse(labExperiment("lab_room", seed), {}, nullptr, occlusions);
+    EXPECT_EQ(Ending::Finished, run.ending) << run.cause;
+  }
+}
+
 TEST(FaultedRehearsalTest, StopsWithACauseAfterWhatDoesNot) {
   using sylph_sim::FaultKind;
   for (const auto& [fault, cause] :

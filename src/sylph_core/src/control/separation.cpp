@@ -12,6 +12,9 @@ namespace {
 /// Time over which velocity is measured [s]: long against the noise of a pose, short against
 /// braking.
 constexpr double kVelocityWindow = 0.06;
+/// A robot that was not seen for longer may have stopped meanwhile: what came before says nothing
+/// of its velocity [s].
+constexpr double kLongestGap_s = 2.0 * kVelocityWindow;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 }  // namespace
@@ -34,8 +37,9 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
   if (!isFinite(pose) || !std::isfinite(stamp_s) || is_late) {
     return false;
   }
-  // Time was set back, as in a replay: what came before belongs to another time.
-  if (!track.samples.empty() && stamp_s < track.samples.back().stamp_s) {
+  // Time may also have been set back, as in a replay: what came before belongs to another time.
+  if (!track.samples.empty() && (stamp_s < track.samples.back().stamp_s ||
+                                 stamp_s > track.samples.back().stamp_s + kLongestGap_s)) {
     track.samples.clear();
   }
   track.samples.push_back({pose, stamp_s});
@@ -106,7 +110,12 @@ Footprint SeparationWatch::whereItStops(const Track& track) const {
   }
   const Vector2 velocity_mps =
       1.0 / duration_s * displacement(position(first.pose), position(last.pose));
-  const double pose_period_s = duration_s / static_cast<double>(track.samples.size() - 1);
+  // The least: a pose that was missed does not make the next ones come more slowly.
+  double pose_period_s = duration_s;
+  for (std::size_t i = 1; i < track.samples.size(); ++i) {
+    pose_period_s =
+        std::min(pose_period_s, track.samples[i].stamp_s - track.samples[i - 1].stamp_s);
+  }
   const double time_s = limits_.command_latency_s + limits_.stop_response_s +
                         limits_.confirmations * pose_period_s +
                         norm(velocity_mps) / (2.0 * limits_.stop_deceleration_mps2);

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -101,6 +102,25 @@ bool objectsTo(double stop_x_m, bool brakes) {
 TEST(SeparationWatchTest, BrakingForTheNextCellIsNoReasonToStop) {
   EXPECT_FALSE(objectsTo(0.0, true));
   EXPECT_FALSE(objectsTo(0.012, true)) << "even with the largest tracking error";
+}
+
+TEST(SeparationWatchTest, ARobotThatStoppedWhileItWasNotSeenIsNoReasonToStop) {
+  for (const double unseen_s : {0.05, 0.1, 0.15, 0.2, 0.3, 0.5, 1.0, 3.0}) {
+    SCOPED_TRACE(unseen_s);
+    SeparationWatch watch = watchOf(2);
+    const double speed_mps = 0.25;
+    const double stopping_m = std::min(0.045, speed_mps * unseen_s);
+    double stamp_s = 0.0;
+    for (double x_m = -0.3; x_m < -stopping_m; x_m += speed_mps * kFrame, stamp_s += kFrame) {
+      EXPECT_FALSE(watch.update(1, {0.3, 0.0, 0.0}, stamp_s));
+      EXPECT_FALSE(watch.update(0, {x_m, 0.0, 0.0}, stamp_s));
+    }
+    stamp_s += unseen_s;
+    for (int frame = 0; frame < 20; ++frame, stamp_s += kFrame) {
+      EXPECT_FALSE(watch.update(1, {0.3, 0.0, 0.0}, stamp_s));
+      EXPECT_FALSE(watch.update(0, {0.0, 0.0, 0.0}, stamp_s));
+    }
+  }
 }
 
 TEST(SeparationWatchTest, StopsWhoDoesNotBrakeBeforeContact) {
