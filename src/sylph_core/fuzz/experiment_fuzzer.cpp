@@ -4,7 +4,7 @@
 #include "sylph_core/experiment/experiment.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const sylph::fuzz::Folder kFolder;
+  static const sylph::ScratchFolder kFolder("fuzz");
   static const std::string kMap =
       kFolder.write("a.map", "type octile\nheight 3\nwidth 4\nmap\n..@.\n.@..\n....\n");
   static const std::string kImage = kFolder.write("m.pgm", "P2 4 3 1\n1 1 0 1 1 0 1 1 1 1 1 1\n");

@@ -4,7 +4,7 @@
 #include "sylph_core/grid/map_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const sylph::fuzz::Folder kFolder;
+  static const sylph::ScratchFolder kFolder("fuzz");
   static const std::string kFields =
       "image: image\nresolution: 0.3\norigin: [0, 0, 0]\noccupied_thresh: 0.65\n"
       "free_thresh: 0.196\n";

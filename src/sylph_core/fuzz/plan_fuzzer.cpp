@@ -4,7 +4,7 @@
 #include "sylph_core/mapf/plan_file.hpp"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
-  static const sylph::fuzz::Folder kFolder;
+  static const sylph::ScratchFolder kFolder("fuzz");
   const std::string path = kFolder.write("plan.txt", sylph::fuzz::toText(data, size));
   sylph::fuzz::expectAnswer([&] {
     const sylph::Plan plan = sylph::loadPlan(path);

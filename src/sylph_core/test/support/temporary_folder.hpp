@@ -3,44 +3,19 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <functional>
 #include <stdexcept>
 #include <string>
 
+#include "test/support/scratch_folder.hpp"
+
 namespace sylph {
 
-/// A folder for the files of one test, removed with it.
-class TemporaryFolder {
+/// A folder for the files of one test, which has its name.
+class TemporaryFolder : public ScratchFolder {
  public:
-  TemporaryFolder() {
-    const ::testing::TestInfo* test = ::testing::UnitTest::GetInstance()->current_test_info();
-    std::string pattern =
-        (std::filesystem::temp_directory_path() / (std::string(test->name()) + "_XXXXXX")).string();
-    if (mkdtemp(pattern.data()) == nullptr) {
-      throw std::runtime_error("no temporary folder at " + pattern);
-    }
-    path_ = pattern;
-  }
-  TemporaryFolder(const TemporaryFolder&) = delete;
-  TemporaryFolder& operator=(const TemporaryFolder&) = delete;
-  ~TemporaryFolder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-
-  std::string path(const std::string& name) const { return path_ + "/" + name; }
-
-  /// Writes a file and returns its path.
-  std::string write(const std::string& name, const std::string& content) const {
-    std::ofstream(path(name), std::ios::binary) << content;
-    return path(name);
-  }
-
- private:
-  std::string path_;
+  TemporaryFolder()
+      : ScratchFolder(::testing::UnitTest::GetInstance()->current_test_info()->name()) {}
 };
 
 /// What `work` says when it throws a runtime_error, which must be one line; empty if it does not.
