@@ -1,13 +1,12 @@
 // Whatever clients send, a server goes on: datagrams over the loopback interface to a server.
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 
+#include "fuzz/datagrams.hpp"
 #include "sylph_natnet/server.hpp"
 
-// The first byte chooses the version; each datagram stands behind its length in two bytes, the
-// lower one first.
+// The first byte chooses the version; datagrams follow, see sendAll().
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace sylph_natnet;
   if (size == 0) {
@@ -21,14 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   server.setDefinitions({{{"robot_0", 1, -1, {}}}, {"all"}, ""});
   UdpSocket client({options.address, 0});
   const Endpoint endpoint{options.address, server.commandPort()};
-  ++data;
-  --size;
-  while (size >= 2) {
-    const std::size_t length = std::min<std::size_t>(data[0] + 256U * data[1], size - 2);
-    client.sendTo({data + 2, data + 2 + length}, endpoint);
-    data += 2 + length;
-    size -= 2 + length;
-  }
+  sendAll(data + 1, size - 1, client, endpoint);
   server.serve(1'000'000'000);
   Frame frame;
   frame.rigid_bodies.resize(1);
