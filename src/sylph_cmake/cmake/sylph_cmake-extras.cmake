@@ -29,8 +29,8 @@ function(sylph_set_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wpedantic -Wshadow -Wconversion)
 endfunction()
 
-# With half of the optimizer and with gtest's header read once, a file of a test takes 3.2 s to be built instead of 5.7.
-# What they call is in libraries, which are optimized.
+# With -O1 and with gtest's header precompiled, a test's source compiles in 3.2 s of processor time instead of 5.7.
+# What tests call is in libraries, which keep -O3.
 function(sylph_build_test_quickly target)
   target_compile_options(${target} PRIVATE -O1)
   get_target_property(sources ${target} SOURCES)

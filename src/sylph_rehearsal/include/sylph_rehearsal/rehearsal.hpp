@@ -61,7 +61,7 @@ struct WaitingTime {
 
 /// A robot that drove when the emergency stop was pressed.
 struct EmergencyBraking {
-  int robot = 0;
+  int robot = 0;            ///< its index in the experiment
   double speed_mps = 0.0;   ///< when it was pressed
   double distance_m = 0.0;  ///< from then to standstill
   double duration_s = 0.0;  ///< likewise
