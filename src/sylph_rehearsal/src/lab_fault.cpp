@@ -170,6 +170,15 @@ constexpr std::array<RandomRow, 22> kRandom{{
     {LabFaultKind::DeclareLost, kNone, 1.0, kForGood, 0.0, 0.0},
 }};
 
+/// What befalls all robots at once, each in this share of the runs besides the faults above.
+constexpr double kShareOfAll = 0.1;
+constexpr std::array<RandomRow, 4> kRandomOfAll{{
+    {LabFaultKind::EmergencyStop, kNone, 0.2, 10.0, 0.0, 0.0},
+    {kSim, FaultKind::Lost, 0.02, 3.0, 0.0, 0.0},
+    {kSim, FaultKind::Nan, 0.02, 1.0, 0.0, 0.0},
+    {kSim, FaultKind::Frozen, 0.05, 2.0, 0.0, 0.0},
+}};
+
 /// Of different lengths alike: short faults are as telling as long ones.
 double drawDuration(const RandomRow& row, sylph::Rng& rng) {
   constexpr double kLongest_s = 10.0;
@@ -197,9 +206,8 @@ LinkOptions drawLink(LabFaultKind kind, sylph::Rng& rng) {
   return link;
 }
 
-LabFault drawFault(const sylph::Experiment& experiment, sylph::Rng& rng) {
+LabFault drawFault(const sylph::Experiment& experiment, sylph::Rng& rng, const RandomRow& row) {
   constexpr double kLatest_s = 40.0;
-  const RandomRow& row = kRandom[sylph::drawIndex(rng, kRandom.size())];
   LabFault fault;
   fault.kind = row.kind;
   fault.fault.kind = row.simulated;
@@ -269,7 +277,13 @@ std::vector<LabFault> randomFaults(const sylph::Experiment& experiment, sylph::R
   constexpr std::size_t kMost = 4;
   std::vector<LabFault> faults(1 + sylph::drawIndex(rng, kMost));
   for (LabFault& fault : faults) {
-    fault = drawFault(experiment, rng);
+    fault = drawFault(experiment, rng, kRandom[sylph::drawIndex(rng, kRandom.size())]);
+  }
+  for (const RandomRow& row : kRandomOfAll) {
+    if (sylph::drawFraction(rng) < kShareOfAll) {
+      faults.push_back(drawFault(experiment, rng, row));
+      faults.back().fault.robots.clear();
+    }
   }
   return faults;
 }
