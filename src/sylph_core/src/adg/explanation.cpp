@@ -56,6 +56,12 @@ void addSocialState(const Execution& execution, int robot, RobotExecution& known
   }
 }
 
+/// What a robot holds for by its own word, empty if it does not hold.
+std::string holdingFor(const RobotMonitor& monitor) {
+  const std::optional<RobotReport>& report = monitor.report();
+  return report && report->state == RobotState::Holding ? report->detail : std::string();
+}
+
 std::string whyNotMoving(const Execution& execution, int robot, double now_s) {
   const RobotMonitor& monitor = execution.monitor(robot);
   // From what only a person can mend to what passes by itself.
@@ -65,6 +71,10 @@ std::string whyNotMoving(const Execution& execution, int robot, double now_s) {
   if (execution.mode() != ExecutionMode::Run) {
     const std::string& reason = execution.modeReason();
     return toString(execution.mode()) + (reason.empty() ? std::string() : ": " + reason);
+  }
+  // Known long before it counts as stuck.
+  if (const std::string reason = holdingFor(monitor); !reason.empty()) {
+    return reason;
   }
   const ActionDependencyGraph& graph = *execution.graph();
   const std::optional<TaskId> current = graph.currentTask(robot);
@@ -90,7 +100,9 @@ void addWait(const Execution& execution, int robot, double now_s, RobotExecution
   }
   // Whoever is told to look at a robot should look at the last one of the chain, not at the next.
   const int root = graph.waitChain(robot).back();
-  const bool has_trouble = execution.monitor(root).condition() != RobotCondition::Ok;
+  const RobotMonitor& monitor = execution.monitor(root);
+  const bool has_trouble =
+      monitor.condition() != RobotCondition::Ok || !holdingFor(monitor).empty();
   const bool is_staged =
       known.tasks_done < known.tasks_total && known.task_status == TaskStatus::Staged;
   if (root != robot || has_trouble || is_staged) {

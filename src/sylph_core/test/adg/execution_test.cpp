@@ -156,6 +156,20 @@ TEST_F(ExecutionTest, NoticesSilenceBlindnessAndStandstill) {
   EXPECT_EQ(RobotCondition::Ok, conditionOf(2));
 }
 
+TEST_F(ExecutionTest, ARobotThatHoldsSaysWhyAtOnce) {
+  place(queue().front());
+  submit(queue(), 1);
+  deliver();
+  RobotReport holding = robots_[2].report(now_s_);
+  holding.state = RobotState::Holding;
+  holding.detail = "its pose does not follow the commands";
+  execution_->report(2, holding, now_s_);
+  EXPECT_EQ(RobotCondition::Ok, view(2).condition) << "it is not late yet";
+  EXPECT_EQ("its pose does not follow the commands", view(2).root_cause);
+  EXPECT_EQ("robot_2", view(0).root_cause_robot);
+  EXPECT_EQ("its pose does not follow the commands", view(0).root_cause);
+}
+
 TEST_F(ExecutionTest, AStopIsNoStandstill) {
   place(queue().front());
   submit(queue(), 1);
