@@ -85,6 +85,55 @@ std::optional<long> leastCostByJointSearch(const Instance& instance) {
   return std::nullopt;
 }
 
+std::optional<long> leastSumOfCostsByJointSearch(const Instance& instance) {
+  // Agents, as bits, that stay where they are for good.
+  using State = std::pair<Configuration, unsigned>;
+  using Entry = std::pair<long, State>;
+  const std::size_t agents = instance.starts.size();
+  std::map<State, long> costs;
+  std::priority_queue<Entry, std::vector<Entry>, std::greater<>> open;
+  const auto relax = [&](const State& state, long cost) {
+    const auto known = costs.find(state);
+    if (known == costs.end() || cost < known->second) {
+      costs[state] = cost;
+      open.emplace(cost, state);
+    }
+  };
+  relax({instance.starts, 0U}, 0);
+  while (!open.empty()) {
+    const auto [cost, state] = open.top();
+    open.pop();
+    const auto& [from, resting] = state;
+    if (resting == (1U << agents) - 1U) {
+      return cost;
+    }
+    if (cost > costs.at(state)) {
+      continue;
+    }
+    for (std::size_t agent = 0; agent < agents; ++agent) {
+      if (from[agent] == instance.goals[agent]) {
+        relax({from, resting | 1U << agent}, cost);
+      }
+    }
+    Configuration to;
+    const auto step = [&, cost_so_far = cost, &origin = from, bits = resting] {
+      long new_cost = cost_so_far;
+      for (std::size_t agent = 0; agent < agents; ++agent) {
+        const bool is_resting = (bits >> agent & 1U) != 0;
+        if (is_resting && to[agent] != origin[agent]) {
+          return;
+        }
+        new_cost += is_resting ? 0 : 1;
+      }
+      if (isLegalStep(origin, to, instance.motion.rotations)) {
+        relax({to, bits}, new_cost);
+      }
+    };
+    forEachStep(instance.grid, from, to, step);
+  }
+  return std::nullopt;
+}
+
 Instance crowdedInstance(int max_agents, bool rotations, Rng& rng) {
   while (true) {
     Instance instance{Grid(drawInt(rng, 1, 3), drawInt(rng, 2, 4)), {}, {}, {rotations}};

@@ -14,6 +14,9 @@ namespace sylph {
 /// over a plan; none if the instance has no solution.
 std::optional<long> leastCostByJointSearch(const Instance& instance);
 
+/// The least sum of the timesteps from which on agents rest on their goals; none likewise.
+std::optional<long> leastSumOfCostsByJointSearch(const Instance& instance);
+
 /// A map of up to 3 x 4 cells with up to `max_agents` agents, often so crowded that there is no
 /// solution.
 Instance crowdedInstance(int max_agents, bool rotations, Rng& rng);
