@@ -16,10 +16,11 @@ namespace {
 /// One large-neighbourhood search per thread.
 class Workers {
  public:
-  Workers(const SearchProblem& problem, const std::vector<Vertices>& plan,
+  Workers(const SearchProblem& problem, const std::vector<Vertices>& plan, long proved_sum_of_costs,
           const ImprovementSettings& settings, int threads, Rng& rng) {
     for (int thread = 0; thread < threads; ++thread) {
-      searches_.push_back(std::make_unique<LargeNeighborhoodSearch>(problem, plan, settings));
+      searches_.push_back(
+          std::make_unique<LargeNeighborhoodSearch>(problem, plan, proved_sum_of_costs, settings));
       // One thread draws as the caller would: a plan of one thread depends on the seed alone.
       rngs_.emplace_back(thread == 0 ? rng : Rng(rng()));
     }
@@ -156,10 +157,10 @@ class Restarts {
 
 Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
                     const GeneratorFactory& make_generator, int threads, const Deadline& deadline,
-                    Rng& rng, const ImprovementSettings& settings) {
+                    Rng& rng, long proved_sum_of_costs, const ImprovementSettings& settings) {
   const double time_s = deadline.remaining();
   const double turn_s = std::min(time_s / settings.turns, settings.longest_turn_s);
-  const long lower_bound = problem.distances.sum(problem.starts);
+  const long lower_bound = std::max(proved_sum_of_costs, problem.distances.sum(problem.starts));
   Improvement improvement;
   if (deadline.isOver() || sumOfCosts(pathsOf(plan)) == lower_bound) {
     improvement.plan = std::move(plan);
@@ -182,7 +183,7 @@ Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
   }
   plan = restarts.run(std::move(plan), settings.most_failed_restarts,
                       deadline.within(settings.restart_share * time_s));
-  Workers workers(problem, plan, settings, threads, rng);
+  Workers workers(problem, plan, proved_sum_of_costs, settings, threads, rng);
   Rewiring rewiring(problem, make_generator, settings, rng);
   bool is_descending = true;
   while (workers.best().cost() > lower_bound && !deadline.isOver()) {
@@ -197,6 +198,7 @@ Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
                              static_cast<double>(cost_before) * (1.0 - settings.plentiful_gain);
     const auto result = rewiring.run(best.plan(), best.cost(), deadline, turn_s);
     if (result == Rewiring::Result::Optimal) {
+      improvement.is_least = true;
       break;
     }
     if (result == Rewiring::Result::Better) {

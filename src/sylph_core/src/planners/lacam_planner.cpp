@@ -5,6 +5,7 @@
 
 #include "sylph_core/planners/first_solution.hpp"
 #include "sylph_core/planners/improvement.hpp"
+#include "sylph_core/search/cost_bound.hpp"
 #include "sylph_core/search/distance_generator.hpp"
 #include "sylph_core/search/lacam.hpp"
 #include "sylph_core/search/paths.hpp"
@@ -92,20 +93,23 @@ Solutions findSolutions(const SearchProblem& problem, Guide& guide, const Deadli
 }
 
 /// In rounds where they are worth it, see ImprovementSettings.
-/// @param reserve_s  time to leave for what comes after [s]
+/// @param first_solution_s     when there was the first one, by the deadline's clock
+/// @param reserve_s            time to leave for what comes after [s]
+/// @param proved_sum_of_costs  as improve() has it
 Improvement improveSolutions(const SearchProblem& problem,
                              const std::vector<std::vector<Vertices>>& plans, int threads,
-                             const Deadline& deadline, double reserve_s, Rng& rng) {
+                             const Deadline& deadline, double first_solution_s, double reserve_s,
+                             long proved_sum_of_costs, Rng& rng) {
   const bool has_rounds =
       plans.size() > 1 && problem.agentCount() <= kSettings.most_agents_of_rounds &&
-      deadline.elapsed() < kSettings.most_first_solution_share * deadline.remaining();
+      first_solution_s < kSettings.most_first_solution_share * deadline.remaining();
   const int rounds = has_rounds ? kSettings.rounds : 1;
   Improvement best;
   for (int round = 0; round < rounds; ++round) {
     const Deadline turn = deadline.within((deadline.remaining() - reserve_s) / (rounds - round));
     Improvement improvement =
         improve(problem, plans[static_cast<std::size_t>(round) % plans.size()],
-                makeDistanceGenerator, threads, turn, rng);
+                makeDistanceGenerator, threads, turn, rng, proved_sum_of_costs);
     improvement.improvements += best.improvements;
     improvement.nodes += best.nodes;
     if (round > 0 && costOf(best.plan) < costOf(improvement.plan)) {
@@ -156,9 +160,13 @@ SearchResult LacamPlanner::search(const SearchProblem& problem, Guide& guide,
   if (solutions.status == Lacam::Status::Solved && !limits.first_solution_only) {
     const double reserve_s =
         limits.social_states ? timeForSocialStates(guide, result.plan, deadline) : 0.0;
-    Improvement improvement =
-        improveSolutions(problem, solutions.plans, limits.threads, deadline, reserve_s, rng);
+    const long proved = provedSumOfCosts(
+        problem, costOf(result.plan),
+        deadline.within(kSettings.proof_share * (deadline.remaining() - reserve_s)));
+    Improvement improvement = improveSolutions(problem, solutions.plans, limits.threads, deadline,
+                                               statistics.first_solution_s, reserve_s, proved, rng);
     result.plan = std::move(improvement.plan);
+    statistics.proved_sum_of_costs = improvement.is_least ? costOf(result.plan) : proved;
     statistics.improvements = improvement.improvements;
     statistics.search_nodes += improvement.nodes;
   }

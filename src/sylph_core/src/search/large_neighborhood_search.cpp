@@ -20,13 +20,14 @@ double LargeNeighborhoodSearch::bytesOf(const SearchProblem& problem, int makesp
 
 LargeNeighborhoodSearch::LargeNeighborhoodSearch(const SearchProblem& problem,
                                                  const std::vector<Vertices>& plan,
+                                                 long proved_sum_of_costs,
                                                  const ImprovementSettings& settings)
     : problem_(&problem),
       settings_(settings),
       table_(problem.graph, problem.motion, problem.agentCount(), 1),
       search_(problem.graph),
       neighborhoods_(problem, table_, settings),
-      lower_bound_(problem.distances.sum(problem.starts)) {
+      lower_bound_(std::max(proved_sum_of_costs, problem.distances.sum(problem.starts))) {
   const int agents = problem.agentCount();
   for (const NeighborhoodKind kind : kNeighborhoodKinds) {
     for (const int size : settings.neighborhood_sizes) {

@@ -115,6 +115,20 @@ TEST(PlannerTest, AnInstanceThatIsSolvedAlreadyNeedsNoStep) {
   }
 }
 
+TEST(PlannerTest, EndsWhenNoPlanCanBeBetter) {
+  // One agent has to wait in the bay, the other to come out of a corridor's end: the sum of
+  // distances does not tell.
+  const Instance instance{Grid::fromText("....\n#.##\n"), {{0, 0}, {0, 3}}, {{0, 3}, {0, 0}}, {}};
+  PlanningLimits limits;
+  limits.time_limit_s = 600.0;
+  Rng rng(1);
+  const PlanningResult result = makePlanner("lacam")->plan(instance, limits, rng);
+  EXPECT_LT(result.statistics.total_s, limits.time_limit_s);
+  EXPECT_EQ(6, result.statistics.sum_of_costs_lower_bound);
+  EXPECT_EQ(8, result.statistics.proved_sum_of_costs);
+  EXPECT_EQ(8, computeMetrics(instance, result.plan).sum_of_costs);
+}
+
 TEST(PlannerTest, SaysWhenThePlanWouldBeTooLong) {
   const Instance instance{Grid(1, 9), {{0, 0}}, {{0, 8}}, {}};
   PlanningLimits limits;

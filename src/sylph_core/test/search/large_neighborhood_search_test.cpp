@@ -95,6 +95,22 @@ TEST(ImproveTest, ProvesTheOptimumOfASmallInstance) {
   EXPECT_EQ(8, computeMetrics(instance, problem.graph.toPlan(improvement.plan)).sum_of_costs);
 }
 
+TEST(ImproveTest, EndsAtACostThatIsProved) {
+  const Instance instance = crowd(2, false);
+  const SearchProblem problem(instance);
+  Rng rng(1);
+  const FirstSolution first =
+      findFirstSolution(problem, makeDistanceGenerator, Deadline(10.0), rng);
+  const long cost = sumOfCosts(pathsOf(first.plan));
+  const Deadline deadline(60.0);
+  EXPECT_EQ(first.plan,
+            improve(problem, first.plan, makeDistanceGenerator, 1, deadline, rng, cost).plan);
+  const Improvement improvement =
+      improve(problem, first.plan, makeDistanceGenerator, 1, deadline, rng, cost - 5);
+  EXPECT_GE(cost - 5, sumOfCosts(pathsOf(improvement.plan)));
+  EXPECT_FALSE(deadline.isOver());
+}
+
 TEST(ImproveTest, SeveralThreadsReturnALegalPlan) {
   const Instance instance = crowd(2, false);
   const SearchProblem problem(instance);

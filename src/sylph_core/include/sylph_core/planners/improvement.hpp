@@ -14,6 +14,7 @@ namespace sylph {
 /// What improvement came to.
 struct Improvement {
   std::vector<Vertices> plan;  ///< the cheapest known
+  bool is_least = false;       ///< by exhaustive search
   long improvements = 0;       ///< times a better plan was found
   long nodes = 0;              ///< configurations generated
 };
@@ -26,9 +27,11 @@ struct Improvement {
 /// sees everything and proves the optimum. With more than one thread, as many large-neighbourhood
 /// searches run at once with different random numbers and go on from the best of their solutions
 /// after each turn.
-/// @param plan  a legal plan that ends on the goals
+/// @param plan                 a legal plan that ends on the goals
+/// @param proved_sum_of_costs  no plan has less, besides the sum of distances: then it ends
 Improvement improve(const SearchProblem& problem, std::vector<Vertices> plan,
                     const GeneratorFactory& make_generator, int threads, const Deadline& deadline,
-                    Rng& rng, const ImprovementSettings& settings = {});
+                    Rng& rng, long proved_sum_of_costs = 0,
+                    const ImprovementSettings& settings = {});
 
 }  // namespace sylph

@@ -44,6 +44,9 @@ struct PlanningStatistics {
   long policy_calls = 0;          ///< network evaluations of one joint configuration
   /// Sum of the distances from starts to goals; nothing if the time was over before.
   std::optional<long> sum_of_costs_lower_bound;
+  /// No plan has less, as far as the planner looked: at least the sum of distances, at most the sum
+  /// of costs of the plan, which then is the least. Nothing if it did not look.
+  std::optional<long> proved_sum_of_costs;
 };
 
 /// What a planner found, and what it took.

@@ -21,16 +21,18 @@ namespace sylph {
 /// that some losses are accepted, as in simulated annealing.
 class LargeNeighborhoodSearch {
  public:
-  /// @param plan     a legal plan that ends on the goals
-  /// @param problem  must outlive this object; its distances are complete if threads share them
+  /// @param plan                 a legal plan that ends on the goals
+  /// @param problem              must outlive this object; its distances are complete if threads
+  ///                             share them
+  /// @param proved_sum_of_costs  no plan has less, besides the sum of distances
   LargeNeighborhoodSearch(const SearchProblem& problem, const std::vector<Vertices>& plan,
-                          const ImprovementSettings& settings = {});
+                          long proved_sum_of_costs = 0, const ImprovementSettings& settings = {});
 
   // The neighbourhoods refer to the table.
   LargeNeighborhoodSearch(const LargeNeighborhoodSearch&) = delete;
   LargeNeighborhoodSearch& operator=(const LargeNeighborhoodSearch&) = delete;
 
-  /// Goes on until the time is up or all agents go their shortest way.
+  /// Goes on until the time is up or no plan can be better.
   /// @param temperature  loss in cost accepted on average, >= 0
   void run(const Deadline& deadline, double temperature, Rng& rng);
 
