@@ -41,6 +41,10 @@ void printJson(const Options& options, const sylph::Evaluation& evaluation,
   if (evaluation.sum_of_costs_lower_bound) {
     line["sum_of_costs_lower_bound"] = *evaluation.sum_of_costs_lower_bound;
   }
+  line["proved_sum_of_costs"] = nullptr;
+  if (statistics.proved_sum_of_costs) {
+    line["proved_sum_of_costs"] = *statistics.proved_sum_of_costs;
+  }
   line["arrived"] = evaluation.metrics.arrived;
   line["seconds_to_first"] = nullptr;  // there is no first solution
   if (evaluation.is_solved) {
@@ -60,8 +64,11 @@ void printText(const Options& options, const sylph::Evaluation& evaluation,
             << metrics.sum_of_costs << " (lower bound "
             << (evaluation.sum_of_costs_lower_bound
                     ? std::to_string(*evaluation.sum_of_costs_lower_bound)
-                    : "unknown")
-            << ")\n";
+                    : "unknown");
+  if (result.statistics.proved_sum_of_costs) {
+    std::cout << ", no plan has less than " << *result.statistics.proved_sum_of_costs;
+  }
+  std::cout << ")\n";
   if (evaluation.is_solved) {
     std::cout << "first solution after " << result.statistics.first_solution_s << " s, ";
   }

@@ -114,7 +114,7 @@ TEST_F(SendTest, ShowsAPlanAndMovesNothing) {
   const Outcome outcome = send("--plan-only robot_0:=2,1");
   EXPECT_EQ(0, outcome.status) << outcome.said;
   EXPECT_NE(std::string::npos,
-            outcome.said.find("3 steps, sum of costs 3 (lower bound 3); checked"))
+            outcome.said.find("3 steps, sum of costs 3, the least there is; checked"))
       << outcome.said;
   EXPECT_NE(std::string::npos,
             outcome.said.find("  robot_0 (0,0) to (2,1): 3 moves, arrives at step 3\n"))

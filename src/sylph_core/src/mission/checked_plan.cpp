@@ -1,5 +1,6 @@
 #include "sylph_core/mission/checked_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <exception>
 #include <limits>
@@ -7,6 +8,7 @@
 #include <optional>
 
 #include "sylph_core/mapf/check_plan.hpp"
+#include "sylph_core/text/format.hpp"
 
 namespace sylph {
 namespace {
@@ -72,18 +74,27 @@ CheckedPlan check(const Mission& mission, const Instance& instance, TimedResult 
                                   instance.starts.size());
   checked.plan = std::move(timed.result.plan);
   checked.metrics = computeMetrics(instance, checked.plan);
+  checked.proved_sum_of_costs =
+      timed.result.statistics.proved_sum_of_costs.value_or(sumOfCostsLowerBound(instance));
   checked.planning_s = timed.planning_s;
   return checked;
 }
 
 }  // namespace
 
+std::string ratedCostOf(const CheckedPlan& plan) {
+  const auto cost = static_cast<double>(plan.metrics.sum_of_costs);
+  const auto proved = static_cast<double>(plan.proved_sum_of_costs);
+  return "sum of costs " + std::to_string(plan.metrics.sum_of_costs) +
+         (cost <= proved ? ", the least there is"
+                         : format(", at most %.0f %% above the least",
+                                  std::ceil(100.0 * (cost / std::max(proved, 1.0) - 1.0))));
+}
+
 std::string certificateOf(const CheckedPlan& plan) {
   const std::size_t robots = plan.instance.starts.size();
-  return std::to_string(plan.metrics.steps) + " steps, sum of costs " +
-         std::to_string(plan.metrics.sum_of_costs) + " (lower bound " +
-         std::to_string(sumOfCostsLowerBound(plan.instance)) +
-         "); checked: no two robots in one cell, none swap or rotate, " +
+  return std::to_string(plan.metrics.steps) + " steps, " + ratedCostOf(plan) +
+         "; checked: no two robots in one cell, none swap or rotate, " +
          (robots == 1 ? "it ends on its goal"
                       : "all " + std::to_string(robots) + " end on their goals");
 }

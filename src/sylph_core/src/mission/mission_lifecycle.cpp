@@ -269,9 +269,8 @@ void MissionLifecycle::send(const CheckedPlan& plan, double now_s) {
   const std::uint32_t known = state_ ? std::max(state_->plan_id, state_->last_plan_id) : 0;
   plan_id_ = std::max(plan_id_, known) + 1;
   say(Level::Info, "plan " + std::to_string(plan_id_) + " by " + mission_.planner + ": " +
-                       std::to_string(plan.metrics.steps) + " steps, sum of costs " +
-                       std::to_string(plan.metrics.sum_of_costs) + ", " +
-                       format("%.2f s", plan.planning_s));
+                       std::to_string(plan.metrics.steps) + " steps, " + ratedCostOf(plan) +
+                       format(", planned in %.2f s", plan.planning_s));
   MissionPlan mission_plan = toMissionPlan(plan, planned_robots_, mission_.planner);
   mission_plan.plan_id = plan_id_;
   mission_plan.replaces_plan_id = replaces_plan_id_;

@@ -73,16 +73,18 @@ TEST_F(CommandsTest, PlanPrintsOneLineOfJsonAndWritesAPlanThatCheckAccepts) {
   for (const auto& item : line.items()) {
     keys.push_back(item.key());
   }
-  EXPECT_EQ((std::vector<std::string>{"solved", "planner", "agents", "steps", "makespan",
-                                      "sum_of_costs", "sum_of_costs_lower_bound", "arrived",
-                                      "seconds_to_first", "seconds", "policy_calls"}),
-            keys);
+  EXPECT_EQ(
+      (std::vector<std::string>{"solved", "planner", "agents", "steps", "makespan", "sum_of_costs",
+                                "sum_of_costs_lower_bound", "proved_sum_of_costs", "arrived",
+                                "seconds_to_first", "seconds", "policy_calls"}),
+      keys);
   EXPECT_TRUE(line["solved"].get<bool>());
   EXPECT_EQ(2, line["agents"].get<int>());
   EXPECT_EQ(2, line["arrived"].get<int>());
   EXPECT_EQ(4, line["sum_of_costs_lower_bound"].get<int>());
   EXPECT_GE(line["sum_of_costs"].get<int>(), 5);  // somebody has to step aside
   EXPECT_LE(line["seconds_to_first"].get<double>(), line["seconds"].get<double>());
+  EXPECT_TRUE(line["proved_sum_of_costs"].is_null()) << "a first solution proves nothing";
 
   const CommandResult checked = run("check" + instance() + " " + plan);
   EXPECT_EQ(0, checked.status) << checked.output;

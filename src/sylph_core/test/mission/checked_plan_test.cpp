@@ -71,9 +71,14 @@ TEST(CertificateOfTest, TellsCostAndWhatWasChecked) {
   mission.goals = {{0, 4}};
   const CheckedPlan plan = planMission(mission, toInstance(mission, {{0, 0}}, {}));
   EXPECT_EQ(
-      "4 steps, sum of costs 4 (lower bound 4); checked: no two robots in one cell, none swap or "
-      "rotate, it ends on its goal",
+      "4 steps, sum of costs 4, the least there is; checked: no two robots in one cell, none swap "
+      "or rotate, it ends on its goal",
       certificateOf(plan));
+  CheckedPlan longer = plan;
+  longer.metrics.sum_of_costs = 5;
+  longer.proved_sum_of_costs = 3;
+  EXPECT_EQ("4 steps, sum of costs 5, at most 67 % above the least;",
+            certificateOf(longer).substr(0, 54));
 }
 
 TEST(StillFittingTest, TakesAPlanForRobotsThatHaveNotMoved) {
