@@ -16,16 +16,31 @@ constexpr double kVelocityWindow = 0.06;
 /// of its velocity [s].
 constexpr double kLongestGap_s = 2.0 * kVelocityWindow;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
+/// Neighbours are looked for in cells of four times this at least [m].
+constexpr double kLeastRadius_m = 0.05;
+
+double radiusOf(const Footprint& size) {
+  return std::hypot(size.length_m, size.width_m) / 2.0;
+}
+
+/// Of the circle around a robot and the way that it needs to stop, mostly.
+double usualReach(const std::vector<Footprint>& sizes) {
+  double largest_m = kLeastRadius_m;
+  for (const Footprint& size : sizes) {
+    largest_m = std::max(largest_m, radiusOf(size));
+  }
+  return 2.0 * largest_m;
+}
 
 }  // namespace
 
 SeparationWatch::SeparationWatch(const std::vector<Footprint>& sizes,
                                  const SeparationLimits& limits)
-    : limits_(limits), closest_ever_{-1, -1, kInfinity} {
+    : limits_(limits), reaches_(usualReach(sizes)), closest_ever_{-1, -1, kInfinity} {
   for (const Footprint& size : sizes) {
     Track track;
     track.footprint = size;
-    track.radius_m = std::hypot(size.length_m, size.width_m) / 2.0;
+    track.radius_m = radiusOf(size);
     tracks_.push_back(track);
   }
 }
@@ -52,14 +67,18 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
   track.stopped = whereItStops(track);
   track.reserve_m = distance(track.stopped.center, track.footprint.center);
 
+  reaches_.put(robot, track.footprint.center, track.radius_m + track.reserve_m);
+
   std::optional<PairGap> too_close;
-  for (int other = 0; other < static_cast<int>(tracks_.size()); ++other) {
-    const Track& neighbor = tracks_[index(other)];
-    if (other == robot || neighbor.samples.empty()) {
+  // Whoever is farther away neither comes too close nor closer than any pair did before.
+  const double reach_m =
+      track.radius_m + std::max({limits_.limit_m, closest_ever_.gap_m, track.reserve_m});
+  for (const int other : reaches_.near(track.footprint.center, reach_m)) {
+    if (other == robot) {
       continue;
     }
-    // Circles around the footprints: most pairs are far apart, and exact gaps cost more than all
-    // the rest.
+    const Track& neighbor = tracks_[index(other)];
+    // Circles around the footprints: exact gaps cost more than all the rest.
     const double lowest_m = lowestGap(track, neighbor);
     if (lowest_m > std::max(limits_.limit_m, track.reserve_m + neighbor.reserve_m) &&
         lowest_m > closest_ever_.gap_m) {
@@ -85,15 +104,19 @@ bool SeparationWatch::update(int robot, const Pose2d& pose, double stamp_s) {
 
 PairGap SeparationWatch::closest() const {
   PairGap closest{-1, -1, kInfinity};
-  for (std::size_t a = 0; a < tracks_.size(); ++a) {
-    for (std::size_t b = a + 1; b < tracks_.size(); ++b) {
-      if (tracks_[a].samples.empty() || tracks_[b].samples.empty() ||
-          lowestGap(tracks_[a], tracks_[b]) >= closest.gap_m) {
+  for (int robot = 0; robot < static_cast<int>(tracks_.size()); ++robot) {
+    const Track& track = tracks_[index(robot)];
+    if (track.samples.empty()) {
+      continue;
+    }
+    for (const int other : reaches_.near(track.footprint.center, track.radius_m + closest.gap_m)) {
+      const Track& neighbor = tracks_[index(other)];
+      if (other <= robot || lowestGap(track, neighbor) >= closest.gap_m) {
         continue;
       }
-      const double gap_m = footprintGap(tracks_[a].footprint, tracks_[b].footprint);
+      const double gap_m = footprintGap(track.footprint, neighbor.footprint);
       if (gap_m < closest.gap_m) {
-        closest = {static_cast<int>(a), static_cast<int>(b), gap_m};
+        closest = {robot, other, gap_m};
       }
     }
   }

@@ -4,7 +4,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <map>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sylph_core/grid/rng.hpp"
 
 namespace sylph {
 namespace {
@@ -139,6 +147,96 @@ TEST(SeparationWatchTest, StopsWhoDoesNotBrakeBeforeContact) {
   const double needed_m = 0.25 * (0.05 + 0.1) + 0.25 * 0.25 / 2.0;
   EXPECT_GT(gap_m, needed_m);
   EXPECT_LT(gap_m, needed_m + 2 * 0.25 * kFrame) << "a robot that can still brake is left alone";
+}
+
+/// All pairs, each with a watch of its own: what a watch over all has to say as well.
+class Pairwise {
+ public:
+  Pairwise(const std::vector<Footprint>& sizes, const SeparationLimits& limits) {
+    for (std::size_t a = 0; a < sizes.size(); ++a) {
+      for (std::size_t b = a + 1; b < sizes.size(); ++b) {
+        pairs_.emplace(std::pair(a, b), SeparationWatch({sizes[a], sizes[b]}, limits));
+      }
+    }
+  }
+
+  /// The gap of the closest pair that is too close.
+  std::optional<double> update(std::size_t robot, const Pose2d& pose, double stamp_s) {
+    std::optional<double> least_m;
+    for (auto& [pair, watch] : pairs_) {
+      const bool takes_part = pair.first == robot || pair.second == robot;
+      if (takes_part && watch.update(pair.first == robot ? 0 : 1, pose, stamp_s)) {
+        least_m = std::min(watch.violation()->gap_m, least_m.value_or(watch.violation()->gap_m));
+      }
+    }
+    return least_m;
+  }
+
+  double closest() const {
+    return least([](const SeparationWatch& watch) { return watch.closest().gap_m; });
+  }
+  double closestEver() const {
+    return least([](const SeparationWatch& watch) { return watch.closestEver().gap_m; });
+  }
+
+ private:
+  template <typename Of>
+  double least(Of of) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const auto& [pair, watch] : pairs_) {
+      least = std::min(least, of(watch));
+    }
+    return least;
+  }
+
+  std::map<std::pair<std::size_t, std::size_t>, SeparationWatch> pairs_;
+};
+
+TEST(SeparationWatchProperty, AgreesWithOneWatchForEachPair) {
+  constexpr std::size_t kRobots = 12;
+  SeparationLimits limits;
+  limits.confirmations = 1;  // more count a robot's poses, whichever pair each is about
+  int violations = 0;
+  for (std::uint32_t seed = 0; seed < 60; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    std::vector<Footprint> sizes(kRobots);
+    std::vector<Pose2d> poses(kRobots);
+    std::vector<Vector2> velocities_mps(kRobots);
+    const double room_m = drawBetween(rng, 2.0, 20.0);
+    for (std::size_t robot = 0; robot < kRobots; ++robot) {
+      sizes[robot].length_m = drawBetween(rng, 0.0, 0.6);
+      sizes[robot].width_m = drawBetween(rng, 0.0, 0.6);
+      poses[robot] = {drawBetween(rng, 0.0, room_m), drawBetween(rng, 0.0, room_m),
+                      drawBetween(rng, -3.0, 3.0)};
+      velocities_mps[robot] = {drawNormal(rng), drawNormal(rng)};
+    }
+    SeparationWatch watch(sizes, limits);
+    Pairwise pairwise(sizes, limits);
+    for (int frame = 0; frame < 120; ++frame) {
+      for (std::size_t robot = 0; robot < kRobots; ++robot) {
+        Pose2d& pose = poses[robot];
+        pose.x_m += velocities_mps[robot].x * kFrame;
+        pose.y_m += velocities_mps[robot].y * kFrame;
+        // Not every robot is seen from the start, or always; some jump far away and back.
+        const double offset_m = drawIndex(rng, 50) == 0 ? 1e3 : 0.0;
+        if (drawIndex(rng, 4) == 0) {
+          continue;
+        }
+        const Pose2d seen = {pose.x_m + offset_m, pose.y_m, pose.yaw_rad};
+        const std::optional<double> expected_m = pairwise.update(robot, seen, frame * kFrame);
+        ASSERT_EQ(expected_m.has_value(),
+                  watch.update(static_cast<int>(robot), seen, frame * kFrame));
+        if (expected_m) {
+          ASSERT_EQ(*expected_m, watch.violation()->gap_m);
+          ++violations;
+        }
+        ASSERT_EQ(pairwise.closestEver(), watch.closestEver().gap_m);
+      }
+      ASSERT_EQ(pairwise.closest(), watch.closest().gap_m);
+    }
+  }
+  EXPECT_GT(violations, 1000) << "little has been compared";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sylph_core/control/footprint.hpp"
+#include "sylph_core/geometry/circle_grid.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph {
@@ -32,6 +33,8 @@ struct PairGap {
 /// both were stopped now: after the way v t + v^2 / 2a along their velocities, where t is the
 /// latency, the response and the time in which poses confirm it, measured from their stamps. So
 /// many poses in a row have to show it that a single bad one stops nobody.
+///
+/// A pose is compared with those of robots nearby, however many there are.
 class SeparationWatch {
  public:
   /// @param sizes  length and width of each robot; where they are does not matter
@@ -69,6 +72,7 @@ class SeparationWatch {
 
   SeparationLimits limits_;
   std::vector<Track> tracks_;
+  CircleGrid reaches_;  ///< of each robot seen: what it covers, and may while it stops
   PairGap closest_ever_;
   std::optional<PairGap> violation_;
 };
