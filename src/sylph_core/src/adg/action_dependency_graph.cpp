@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 #include "task_builder.hpp"
 
@@ -117,6 +118,14 @@ void ActionDependencyGraph::append(const std::vector<Task>& tasks) {
     progress_[index(task.agent)].tasks.push_back(task.id);
     tasks_.push_back(task);
   }
+  lookAtAll();
+}
+
+void ActionDependencyGraph::lookAtAll() {
+  waiting_.clear();
+  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+    to_look_at_.insert(to_look_at_.end(), agent);
+  }
 }
 
 std::vector<TaskId> ActionDependencyGraph::dependencies(TaskId id) const {
@@ -154,10 +163,16 @@ bool ActionDependencyGraph::mayRelease(const Task& task) const {
 std::vector<TaskId> ActionDependencyGraph::release(int lookahead,
                                                    const std::vector<AgentId>& except) {
   std::vector<TaskId> released;
-  for (AgentId agent = 0; agent < agentCount(); ++agent) {
+  if (std::exchange(lookahead_, lookahead) != lookahead) {
+    lookAtAll();
+  }
+  for (auto next_agent = to_look_at_.begin(); next_agent != to_look_at_.end();) {
+    const AgentId agent = *next_agent;
     if (std::find(except.begin(), except.end(), agent) != except.end()) {
+      ++next_agent;
       continue;
     }
+    next_agent = to_look_at_.erase(next_agent);
     Progress& progress = progress_[index(agent)];
     while (progress.released < static_cast<int>(progress.tasks.size()) &&
            progress.released - progress.done < lookahead) {
@@ -165,6 +180,7 @@ std::vector<TaskId> ActionDependencyGraph::release(int lookahead,
       // the other.
       const TaskId next = progress.tasks[index(progress.released)];
       if (!mayRelease(task(next))) {
+        waiting_[*task(next).type2_predecessor].push_back(agent);
         break;
       }
       ++progress.released;
@@ -184,6 +200,7 @@ void ActionDependencyGraph::enqueue(TaskId id) {
                                 " cannot be released before its dependencies");
   }
   ++progress_[index(next.agent)].released;
+  to_look_at_.insert(next.agent);
 }
 
 std::vector<TaskId> ActionDependencyGraph::releasedTasks() const {
@@ -206,6 +223,10 @@ bool ActionDependencyGraph::complete(TaskId id) {
                                 " cannot be done: it is not released, or not the next");
   }
   ++progress.done;
+  to_look_at_.insert(completed.agent);
+  if (const auto waiting = waiting_.extract(id)) {
+    to_look_at_.insert(waiting.mapped().begin(), waiting.mapped().end());
+  }
   return true;
 }
 

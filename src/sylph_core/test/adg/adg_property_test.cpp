@@ -200,6 +200,49 @@ TEST(ActionDependencyGraphProperty, EveryAdmissibleOrderArrivesWithoutCollision)
   }
 }
 
+/// A task that release() could have given to the agent, and did not.
+std::optional<TaskId> forgottenTask(const ActionDependencyGraph& graph, AgentId agent,
+                                    int lookahead) {
+  const std::vector<TaskId>& tasks = graph.tasksOf(agent);
+  const int released = graph.releasedCount(agent);
+  if (released == static_cast<int>(tasks.size()) ||
+      released - graph.doneCount(agent) >= lookahead) {
+    return std::nullopt;
+  }
+  const TaskId next = tasks[static_cast<std::size_t>(released)];
+  const std::optional<TaskId>& predecessor = graph.task(next).type2_predecessor;
+  const bool waits = predecessor && graph.status(*predecessor) != TaskStatus::Done;
+  return waits ? std::nullopt : std::make_optional(next);
+}
+
+TEST(ActionDependencyGraphProperty, ReleaseForgetsNobody) {
+  for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Rng rng(seed);
+    ActionDependencyGraph graph(randomPlan(rng));
+    while (!graph.isFinished()) {
+      const int lookahead = uniform(0, 9, rng) == 0 ? uniform(1, 6, rng) : 2;
+      const AgentId except = uniform(0, 2 * graph.agentCount(), rng);
+      // Some are released one by one, as from a log.
+      for (AgentId agent = 0; agent < graph.agentCount(); ++agent) {
+        if (const auto next = forgottenTask(graph, agent, 1); next && uniform(0, 9, rng) == 0) {
+          graph.enqueue(*next);
+        }
+      }
+      graph.release(lookahead, {except});
+      for (AgentId agent = 0; agent < graph.agentCount(); ++agent) {
+        if (agent != except) {
+          ASSERT_FALSE(forgottenTask(graph, agent, lookahead)) << "agent " << agent;
+        }
+      }
+      const std::vector<TaskId> ready = inProgress(graph);
+      if (!ready.empty()) {
+        graph.complete(pickOne(ready, rng));
+      }
+    }
+  }
+}
+
 TEST(ActionDependencyGraphProperty, WaitChainsEndWithAnAgentThatCanMove) {
   for (std::uint32_t seed = 0; seed < kSeeds; ++seed) {
     SCOPED_TRACE("seed " + std::to_string(seed));

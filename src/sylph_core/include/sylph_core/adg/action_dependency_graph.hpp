@@ -1,7 +1,9 @@
 #pragma once
 
 #include <optional>
+#include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "sylph_core/adg/plan_refused.hpp"
@@ -63,7 +65,8 @@ class ActionDependencyGraph {
   std::vector<TaskId> dependencies(TaskId id) const;
   TaskStatus status(TaskId id) const;
 
-  /// Releases what may be released, in order of agent and sequence.
+  /// Releases what may be released, in order of agent and sequence. Only agents for which something
+  /// has changed since the last call are looked at.
   ///
   /// With lookahead 1: tasks whose dependencies are all done. A greater lookahead releases up to
   /// that many tasks to an agent, so that it need not stop between them: those whose type-2
@@ -131,10 +134,16 @@ class ActionDependencyGraph {
                           const Plan& plan) const;
   std::vector<Task> tasksWithin(const CommitCut& cut) const;
   void append(const std::vector<Task>& tasks);
+  void lookAtAll();
 
   std::vector<std::string> names_;
   std::vector<Task> tasks_;
   std::vector<Progress> progress_;
+
+  int lookahead_ = 0;             ///< of the last release()
+  std::set<AgentId> to_look_at_;  ///< agents to which the next release() may give something
+  /// The others that have a task left, by the task of another agent that theirs waits for.
+  std::unordered_map<TaskId, std::vector<AgentId>> waiting_;
 };
 
 }  // namespace sylph
