@@ -12,14 +12,20 @@ Execution::Execution(std::vector<std::string> robots, int rows, int cols, double
       limits_(limits),
       admission_(names_, rows, cols, frame_, limits),
       monitors_(names_.size(), RobotMonitor(limits)),
-      deliveries_(names_.size()) {}
+      deliveries_(names_.size()) {
+  for (int robot = 0; robot < robotCount(); ++robot) {
+    indices_.emplace(names_[index(robot)], robot);
+  }
+}
 
 std::optional<int> Execution::indexOf(const std::string& name) const {
-  const auto found = std::find(names_.begin(), names_.end(), name);
-  if (found == names_.end()) {
-    return std::nullopt;
-  }
-  return static_cast<int>(found - names_.begin());
+  const auto found = indices_.find(name);
+  return found == indices_.end() ? std::nullopt : std::make_optional(found->second);
+}
+
+std::optional<AgentId> Execution::agentOf(int robot) const {
+  const auto found = agents_.find(robot);
+  return found == agents_.end() ? std::nullopt : std::make_optional(found->second);
 }
 
 void Execution::setPhase(ExecutionPhase phase) {
@@ -55,14 +61,15 @@ void Execution::report(int robot, const RobotReport& report, double now_s) {
   }
   // A robot may remember a plan of an earlier run; new plans are numbered after it.
   last_plan_id_ = std::max(last_plan_id_, report.plan_id);
-  if (graph_) {
-    takeCounts(robot, report, now_s);
+  const bool has_done_more = graph_ && takeCounts(robot, report, now_s);
+  const bool is_decided = tryStart(now_s);
+  // Most reports bring nothing new, and to advance is to look at every robot.
+  if (has_done_more || is_decided) {
+    advance();
   }
-  tryStart(now_s);
-  advance();
 }
 
-void Execution::takeCounts(int robot, const RobotReport& report, double now_s) {
+bool Execution::takeCounts(int robot, const RobotReport& report, double now_s) {
   Delivery& delivery = deliveries_[index(robot)];
   const bool is_this_plan = report.plan_id == plan_->plan_id;
   const int released = releasedCount(robot);
@@ -72,6 +79,7 @@ void Execution::takeCounts(int robot, const RobotReport& report, double now_s) {
   if (accepted < delivery.accepted) {
     // Its node was started again and has forgotten: everything is sent once more.
     std::fill(delivery.sent_s.begin(), delivery.sent_s.end(), std::nullopt);
+    undelivered_.insert(robot);
   } else if (accepted > delivery.accepted) {
     logOfPlan(event::Accepted{robot, accepted});
   }
@@ -79,11 +87,13 @@ void Execution::takeCounts(int robot, const RobotReport& report, double now_s) {
   const int done = is_this_plan ? std::min(report.done, released) : 0;
   // Below 0 are unfinished tasks of a lost robot, of the plan before: this plan's counts say
   // nothing of them.
-  for (int k = std::max(0, graph_->doneCount(robot) - delivery.first_sequence); k < done; ++k) {
+  const int first = std::max(0, graph_->doneCount(robot) - delivery.first_sequence);
+  for (int k = first; k < done; ++k) {
     graph_->complete(taskOf(robot, k));
     monitors_[index(robot)].noteProgress(now_s);
     logOfPlan(event::Done{robot, k});
   }
+  return first < done;
 }
 
 void Execution::tick(double now_s) {
@@ -160,6 +170,7 @@ void Execution::release(const std::vector<AgentId>& lost) {
   // Written down before takeOrders() hands it out: decided once, and after a restart known.
   for (const TaskId released : graph_->release(limits_.lookahead, lost)) {
     const Task& task = graph_->task(released);
+    undelivered_.insert(task.agent);
     logOfPlan(event::Released{task.agent, task.sequence - firstSequence(task.agent)});
   }
 }
@@ -170,14 +181,20 @@ std::vector<ExecutionEvent> Execution::takeEvents() {
 
 std::vector<TaskOrder> Execution::takeOrders(double now_s) {
   std::vector<TaskOrder> orders;
-  for (int robot = 0; graph_ && robot < robotCount(); ++robot) {
+  for (auto next = undelivered_.begin(); graph_ && next != undelivered_.end();) {
+    const int robot = *next;
+    Delivery& delivery = deliveries_[index(robot)];
+    const int released = releasedCount(robot);
+    if (delivery.accepted >= released) {
+      next = undelivered_.erase(next);
+      continue;
+    }
+    ++next;
     // What a robot has is known from its reports only, so that after a restart of this end too
     // nothing is sent to a robot before it has told.
     if (monitors_[index(robot)].isLost() || !monitors_[index(robot)].report()) {
       continue;
     }
-    Delivery& delivery = deliveries_[index(robot)];
-    const int released = releasedCount(robot);
     const int total = static_cast<int>(graph_->tasksOf(robot).size()) - delivery.first_sequence;
     delivery.sent_s.resize(index(released));
     for (int k = delivery.accepted; k < released; ++k) {

@@ -83,14 +83,14 @@ void Execution::makeRoomFor(std::uint32_t plan_id) {
   setPhase(ExecutionPhase::Pending);
 }
 
-void Execution::tryStart(double now_s) {
+bool Execution::tryStart(double now_s) {
   using Verdict = PlanAdmission::Decision::Verdict;
   wait_reason_.clear();
   if (admission_.pending() != nullptr && leadsALostRobot(*admission_.pending())) {
     admission_.withdraw();
   }
   if (admission_.pending() == nullptr) {
-    return;
+    return false;
   }
   const std::uint32_t plan_id = admission_.pending()->plan_id;
   const PlanAdmission::Decision decision = admission_.decide(present(), now_s);
@@ -105,6 +105,7 @@ void Execution::tryStart(double now_s) {
       setRefused(plan_id, refused.what());
     }
   }
+  return decision.verdict != Verdict::Wait;
 }
 
 void Execution::load(std::shared_ptr<const MissionPlan> plan) {
@@ -125,6 +126,10 @@ void Execution::load(std::shared_ptr<const MissionPlan> plan) {
   for (Delivery& delivery : deliveries_) {
     delivery = {delivery.first_sequence, 0, {}, {}};
   }
+  agents_.clear();
+  for (std::size_t agent = 0; agent < plan_->robots.size(); ++agent) {
+    agents_.emplace(indexOf(plan_->robots[agent]).value(), static_cast<AgentId>(agent));
+  }
   log(event::Started{plan_});
   setPhase(ExecutionPhase::Executing);
 }
@@ -136,16 +141,20 @@ void Execution::loadMission(const MissionPlan& plan) {
   for (int robot = 0; robot < robotCount(); ++robot) {
     standing.push_back(nowhere(robot));
   }
+  std::vector<int> members;
+  for (const std::string& name : plan.robots) {
+    members.push_back(indexOf(name).value());
+  }
   Plan whole(plan.plan.size(), standing);
   for (std::size_t t = 0; t < whole.size(); ++t) {
-    for (std::size_t agent = 0; agent < plan.robots.size(); ++agent) {
-      whole[t][index(indexOf(plan.robots[agent]).value())] = plan.plan[t].at(agent);
+    for (std::size_t agent = 0; agent < members.size(); ++agent) {
+      whole[t][index(members[agent])] = plan.plan[t].at(agent);
     }
   }
   graph_.emplace(ActionDependencyGraph(whole, names_));
   mission_goals_.clear();
-  for (std::size_t agent = 0; agent < plan.robots.size(); ++agent) {
-    const int robot = indexOf(plan.robots[agent]).value();
+  for (std::size_t agent = 0; agent < members.size(); ++agent) {
+    const int robot = members[agent];
     mission_goals_[robot] = plan.goals.at(agent);
     monitors_[index(robot)].rejoin();
   }
@@ -188,6 +197,7 @@ struct Execution::Replay {
   void operator()(const event::Released& released) const {
     const TaskId task = execution.taskOf(released.robot, released.sequence);
     execution.graph_->enqueue(task);
+    execution.undelivered_.insert(released.robot);
   }
   void operator()(const event::Done& done) const {
     const TaskId task = execution.taskOf(done.robot, done.sequence);

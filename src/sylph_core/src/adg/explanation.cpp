@@ -36,12 +36,12 @@ void addTasks(const Execution& execution, int robot, RobotExecution& known) {
 void addSocialState(const Execution& execution, int robot, RobotExecution& known) {
   const MissionPlan& plan = *execution.plan();
   known.goal = execution.missionGoals().at(robot);
-  const auto member = std::find(plan.robots.begin(), plan.robots.end(), known.robot);
+  const std::optional<AgentId> member = execution.agentOf(robot);
   // Lost before this plan was made: it has a goal still, and no partner.
-  if (member == plan.robots.end()) {
+  if (!member) {
     return;
   }
-  const auto agent = static_cast<std::size_t>(member - plan.robots.begin());
+  const auto agent = static_cast<std::size_t>(*member);
   known.goal = plan.goals[agent];
   if (static_cast<std::size_t>(known.step) >= plan.social.size()) {
     return;

@@ -12,13 +12,15 @@ namespace sylph {
 
 PlanAdmission::PlanAdmission(std::vector<std::string> robots, int rows, int cols,
                              const CellFrame& frame, const ExecutionLimits& limits)
-    : names_(std::move(robots)), map_(rows, cols), frame_(frame), limits_(limits) {}
+    : names_(std::move(robots)), map_(rows, cols), frame_(frame), limits_(limits) {
+  for (std::size_t robot = 0; robot < names_.size(); ++robot) {
+    indices_.emplace(names_[robot], robot);
+  }
+}
 
 std::optional<std::size_t> PlanAdmission::indexOf(const std::string& robot) const {
-  const auto found = std::find(names_.begin(), names_.end(), robot);
-  return found == names_.end()
-             ? std::nullopt
-             : std::make_optional(static_cast<std::size_t>(found - names_.begin()));
+  const auto found = indices_.find(robot);
+  return found == indices_.end() ? std::nullopt : std::make_optional(found->second);
 }
 
 std::optional<std::string> PlanAdmission::propose(MissionPlan plan, const PresentExecution& present,
@@ -185,11 +187,10 @@ std::optional<std::string> PlanAdmission::bystanderInTheWay(const PresentExecuti
   for (const Configuration& cells : pending_->plan) {
     visited.insert(cells.begin(), cells.end());
   }
+  const std::set<std::string> members(pending_->robots.begin(), pending_->robots.end());
   for (std::size_t robot = 0; robot < names_.size(); ++robot) {
-    const auto& members = pending_->robots;
     const std::optional<RobotReport>& report = present.monitors[robot].report();
-    if (!report || !report->pose ||
-        std::find(members.begin(), members.end(), names_[robot]) != members.end()) {
+    if (!report || !report->pose || members.count(names_[robot]) > 0) {
       continue;
     }
     const Pose2d& pose = *report->pose;

@@ -3,7 +3,9 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "sylph_core/adg/action_dependency_graph.hpp"
@@ -88,6 +90,8 @@ class Execution {
   const std::string& name(int robot) const { return names_.at(index(robot)); }
   /// Nothing if no robot of the lab has that name.
   std::optional<int> indexOf(const std::string& name) const;
+  /// Its index among the robots of plan(); nothing if it takes no part in that.
+  std::optional<AgentId> agentOf(int robot) const;
   /// Of the map, between cells and metres.
   const CellFrame& frame() const { return frame_; }
   /// The watchdogs of one robot, with its last report.
@@ -123,12 +127,14 @@ class Execution {
   void makeRoomFor(std::uint32_t plan_id);
   void setRefused(std::uint32_t plan_id, const std::string& reason);
   PresentExecution present() const { return {plan_.get(), graph(), is_cut_, monitors_}; }
-  void tryStart(double now_s);
+  /// @return whether the pending plan has been started or refused
+  bool tryStart(double now_s);
   void load(std::shared_ptr<const MissionPlan> plan);
   void loadMission(const MissionPlan& plan);
   void loadReplacement(const MissionPlan& plan);
 
-  void takeCounts(int robot, const RobotReport& report, double now_s);
+  /// @return whether the robot has done more
+  bool takeCounts(int robot, const RobotReport& report, double now_s);
   void updateConditions(double now_s);
   void updateWaits(double now_s);
   /// Releases what may be released and moves the phase on.
@@ -142,11 +148,13 @@ class Execution {
   TaskId taskOf(int robot, int sequence) const;
 
   std::vector<std::string> names_;
+  std::unordered_map<std::string, int> indices_;  ///< by name
   CellFrame frame_;
   ExecutionLimits limits_;
   PlanAdmission admission_;
   std::vector<RobotMonitor> monitors_;
   std::vector<Delivery> deliveries_;
+  std::set<int> undelivered_;  ///< robots that may lack a task which is released to them
 
   ExecutionPhase phase_ = ExecutionPhase::Idle;
   ExecutionMode mode_ = ExecutionMode::Run;
@@ -159,6 +167,7 @@ class Execution {
   bool is_abandoned_ = false;  ///< no more is released: a new mission takes the plan's place
   std::shared_ptr<const MissionPlan> plan_;
   std::optional<ActionDependencyGraph> graph_;
+  std::unordered_map<int, AgentId> agents_;  ///< of the plan's robots
   std::map<int, Cell> mission_goals_;
   std::vector<ExecutionEvent> events_;
 };

@@ -3,6 +3,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <unordered_map>
 #include <vector>
 
 #include "sylph_core/adg/action_dependency_graph.hpp"
@@ -63,6 +64,7 @@ class PlanAdmission {
   std::optional<std::string> bystanderInTheWay(const PresentExecution& present) const;
 
   std::vector<std::string> names_;
+  std::unordered_map<std::string, std::size_t> indices_;  ///< by name
   Grid map_;  ///< free everywhere: obstacles are the planner's business
   CellFrame frame_;
   ExecutionLimits limits_;
