@@ -1,7 +1,10 @@
 #include <algorithm>
+#include <charconv>
+#include <optional>
 #include <set>
 #include <sstream>
 #include <stdexcept>
+#include <system_error>
 
 #include "sylph_core/grid/action.hpp"
 #include "sylph_core/policy/network.hpp"
@@ -19,6 +22,14 @@ constexpr char kArchitecture[] = "sylph-2";
 constexpr int kPatch = 9;         // pixels of a 3 x 3 convolution
 constexpr int kQuarterCells = 9;  // pixels after the last convolution
 constexpr int kMaxWidth = 4096;
+
+/// The number that is all of a text; nothing if the text is anything else.
+std::optional<int> wholeNumber(const std::string& text) {
+  int number = 0;
+  const char* const end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, number);
+  return error == std::errc() && rest == end ? std::make_optional(number) : std::nullopt;
+}
 
 /// What the network sees, a line for each number.
 std::vector<std::string> observationLines() {
@@ -181,12 +192,13 @@ NetworkShape NetworkShape::fromMetadata(const std::map<std::string, std::string>
   requireSameObservation(text("observation"));
   NetworkShape shape;
   for (const auto& [entry, member] : members()) {
-    try {
-      shape.*member = std::stoi(text(entry));
-    } catch (const std::logic_error&) {
-      throw std::invalid_argument("metadata '" + entry + "' is '" + text(entry) +
+    const std::string value = text(entry);
+    const std::optional<int> number = wholeNumber(value);
+    if (!number) {
+      throw std::invalid_argument("metadata '" + entry + "' is '" + value +
                                   "': must be a whole number");
     }
+    shape.*member = *number;
   }
   shape.requireValid();
   return shape;

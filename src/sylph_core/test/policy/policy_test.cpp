@@ -70,6 +70,13 @@ TEST_F(PolicyTest, RefusesOtherObservationsNamingWhatDiffers) {
   expectRefused("metadata has no entry 'observation'");
 }
 
+TEST_F(PolicyTest, RefusesSizesThatAreNoWholeNumbers) {
+  for (const std::string text : {"24x", " 24", "+24", "24.0", "0x18", "99999999999", ""}) {
+    weights_.metadata["width"] = text;
+    expectRefused("metadata 'width' is '" + text + "': must be a whole number");
+  }
+}
+
 TEST_F(PolicyTest, RefusesTensorsOfAnotherShape) {
   weights_.metadata["near_width"] = "7";
   expectRefused("tensor 'encoder.conv1.weight' has the shape [6, 32, 3, 3]: must be [7, 32, 3, 3]");
