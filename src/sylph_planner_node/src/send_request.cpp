@@ -1,8 +1,10 @@
 #include "sylph_planner_node/send_request.hpp"
 
 #include <algorithm>
-#include <cstdio>
+#include <charconv>
+#include <optional>
 #include <stdexcept>
+#include <system_error>
 #include <utility>
 
 #include "sylph_core/mission/goal_judge.hpp"
@@ -11,20 +13,27 @@
 namespace sylph_planner_node {
 namespace {
 
+/// "ROW,COL"; nothing if it is anything else, be it more.
+std::optional<sylph::Cell> readCell(const std::string& text) {
+  sylph::Cell cell;
+  const char* const end = text.data() + text.size();
+  const auto row = std::from_chars(text.data(), end, cell.row);
+  if (row.ec != std::errc() || row.ptr == end || *row.ptr != ',') {
+    return std::nullopt;
+  }
+  const auto col = std::from_chars(row.ptr + 1, end, cell.col);
+  return col.ec == std::errc() && col.ptr == end ? std::make_optional(cell) : std::nullopt;
+}
+
 std::pair<std::string, sylph::Cell> readGoal(const std::string& argument) {
   const std::size_t sign = argument.find(":=");
-  sylph::Cell cell;
-  int length = 0;
-  const bool is_read =
-      sign != std::string::npos && sign > 0 &&
-      // Nine digits at most, which an int holds; nothing may follow.
-      std::sscanf(argument.c_str() + sign + 2, "%9d,%9d%n", &cell.row, &cell.col, &length) == 2 &&
-      sign + 2 + static_cast<std::size_t>(length) == argument.size();
-  if (!is_read) {
-    throw std::invalid_argument("'" + argument +
-                                "': a goal must be ROBOT:=ROW,COL, such as robot_3:=4,7");
+  if (sign != std::string::npos && sign > 0) {
+    if (const auto cell = readCell(argument.substr(sign + 2))) {
+      return {argument.substr(0, sign), *cell};
+    }
   }
-  return {argument.substr(0, sign), cell};
+  throw std::invalid_argument("'" + argument +
+                              "': a goal must be ROBOT:=ROW,COL, such as robot_3:=4,7");
 }
 
 }  // namespace

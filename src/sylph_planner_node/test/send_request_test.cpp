@@ -33,7 +33,8 @@ TEST(ReadGoalsTest, TakesRowAndColumnOfEachRobot) {
 TEST(ReadGoalsTest, RefusesOtherForms) {
   for (const std::string argument :
        {"robot_0", "robot_0=1,2", ":=1,2", "robot_0:=1", "robot_0:=1,2,3", "robot_0:=1,x",
-        "robot_0:=1.5,2", "robot_0:=99999999999,1", ""}) {
+        "robot_0:=1.5,2", "robot_0:=99999999999,1", "robot_0:= 1,2", "robot_0:=1,+2", "robot_0:=1,",
+        ""}) {
     EXPECT_EQ("'" + argument + "': a goal must be ROBOT:=ROW,COL, such as robot_3:=4,7",
               errorOf({argument}));
   }
