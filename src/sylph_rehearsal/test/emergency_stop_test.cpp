@@ -11,12 +11,6 @@
 namespace sylph_rehearsal {
 namespace {
 
-/// What the separation monitor reckons with, from the press to the standstill [m].
-double promisedBraking(const sylph::SeparationLimits& limits, double speed_mps) {
-  return speed_mps * (limits.command_latency_s + limits.stop_response_s +
-                      speed_mps / (2.0 * limits.stop_deceleration_mps2));
-}
-
 /// Eight robots that drive side by side, and one press of the button.
 Rehearsal pressed(std::uint32_t seed, double at_s, double duration_s) {
   std::vector<std::pair<sylph::Cell, sylph::Cell>> missions;
@@ -37,7 +31,8 @@ TEST(EmergencyStopTest, EveryRobotStandsWithinWhatTheMonitorReckonsWith) {
     EXPECT_EQ(Ending::Stopped, run.ending) << run.cause;
     EXPECT_EQ("stop: the emergency stop is pressed", run.cause);
     for (const EmergencyBraking& braking : run.brakings) {
-      EXPECT_LE(braking.distance_m, promisedBraking(separationLimits(experiment), most_mps));
+      EXPECT_LE(braking.distance_m,
+                sylph::stoppingDistance(sylph::separationLimits(experiment), most_mps));
       longest_s = std::max(longest_s, braking.duration_s);
       ++trips;
     }

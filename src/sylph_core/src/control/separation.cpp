@@ -34,6 +34,11 @@ double usualReach(const std::vector<Footprint>& sizes) {
 
 }  // namespace
 
+double stoppingDistance(const SeparationLimits& limits, double speed_mps) {
+  return speed_mps * (limits.command_latency_s + limits.stop_response_s +
+                      speed_mps / (2.0 * limits.stop_deceleration_mps2));
+}
+
 SeparationWatch::SeparationWatch(const std::vector<Footprint>& sizes,
                                  const SeparationLimits& limits)
     : limits_(limits), reaches_(usualReach(sizes)), closest_ever_{-1, -1, kInfinity} {

@@ -20,6 +20,10 @@ struct SeparationLimits {
   int confirmations = 3;                ///< poses in a row that have to agree, > 0
 };
 
+/// How far a robot that is told to stop goes on [m], as the watch reckons: v t + v^2 / 2a, where t
+/// is latency and response.
+double stoppingDistance(const SeparationLimits& limits, double speed_mps);
+
 /// Two robots, by index, and the gap between their footprints.
 struct PairGap {
   int robot_a = -1;  ///< -1: there are no two robots with a pose
