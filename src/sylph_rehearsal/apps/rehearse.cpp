@@ -13,6 +13,7 @@
 #include <string>
 #include <vector>
 
+#include "rehearsal_page.hpp"
 #include "rehearsal_report.hpp"
 #include "sylph_core/command/parallel_for.hpp"
 #include "sylph_core/command/progress_bar.hpp"
@@ -37,6 +38,7 @@ struct Options {
   bool has_random_faults = false;
   bool is_json = false;
   std::string event_logs;
+  std::string report_path;
 };
 
 /// So many are shrunk, as each takes many runs.
@@ -78,19 +80,24 @@ std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::See
   return runs;
 }
 
+void writeFile(const std::string& path, const std::string& content) {
+  std::ofstream file(path);
+  file << content;
+  file.close();
+  if (!file) {
+    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
+  }
+}
+
 /// Writes what the central node logged in each run, as it does in the lab: FOLDER/<seed>.jsonl.
 void writeEventLogs(const std::string& folder, const std::vector<Rehearsal>& runs) {
   std::filesystem::create_directories(folder);
   for (const Rehearsal& run : runs) {
-    const std::string path = folder + "/" + std::to_string(run.seed) + ".jsonl";
-    std::ofstream file(path);
+    std::string lines;
     for (const std::string& line : run.event_log) {
-      file << line << "\n";
+      lines += line + "\n";
     }
-    file.close();
-    if (!file) {
-      throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-    }
+    writeFile(folder + "/" + std::to_string(run.seed) + ".jsonl", lines);
   }
 }
 
@@ -122,12 +129,18 @@ int rehearseAll(const Options& options) {
   } else {
     seeds = sylph_rehearsal::seedsFromText(options.seeds);
   }
+  if (!options.report_path.empty()) {
+    writeFile(options.report_path, "");  // a wrong path is told before hours of runs
+  }
   const std::vector<Rehearsal> runs = runAll(options, seeds);
   if (!options.event_logs.empty()) {
     writeEventLogs(options.event_logs, runs);
   }
   const sylph::Experiment experiment =
       sylph_rehearsal::experimentOf(options.experiment_path, seeds.first, options.robots);
+  if (!options.report_path.empty()) {
+    writeFile(options.report_path, toPage(experiment, runs));
+  }
   std::cout << (options.is_json ? toJson(experiment, runs) + "\n" : toTable(experiment, runs));
   const bool has_faults = options.has_random_faults || !options.faults_path.empty();
   bool is_good = true;
@@ -164,6 +177,7 @@ int main(int argc, char** argv) {
       ->excludes(faults);
   app.add_option("--event-logs", options.event_logs,
                  "folder for the central node's event log of each run, <seed>.jsonl");
+  app.add_option("--report", options.report_path, "HTML page to write: the table with figures");
   app.add_flag("--json", options.is_json, "print one line of JSON");
   return sylph::runCommand(app, argc, argv, [&] { return rehearseAll(options); });
 }
