@@ -115,8 +115,7 @@ void GroupDelay::addSteps(const Places& from, Places& to, std::size_t agent, int
 }
 
 /// Whether an agent may go to a cell beside those that have chosen before it.
-bool GroupDelay::isFree(const Places& from, const Places& to, std::size_t agent,
-                        VertexId vertex) const {
+bool GroupDelay::isFree(const Places& from, const Places& to, std::size_t agent, VertexId vertex) {
   for (std::size_t other = 0; other < agent; ++other) {
     const bool is_swap = to[other].vertex == from[agent].vertex && from[other].vertex == vertex;
     if (to[other].vertex == vertex || is_swap) {

@@ -55,7 +55,7 @@ class GroupDelay {
   Found search(const Places& from, int spent);
   void addSteps(const Places& from, Places& to, std::size_t agent, int spent, int to_come_alone,
                 std::vector<Step>& steps) const;
-  bool isFree(const Places& from, const Places& to, std::size_t agent, VertexId vertex) const;
+  static bool isFree(const Places& from, const Places& to, std::size_t agent, VertexId vertex);
   bool rotates(const Places& from, const Places& to) const;
   int costToCome(const Places& places) const;
   int distance(std::size_t agent, VertexId vertex) const {
