@@ -112,6 +112,11 @@ void Central::flush() {
   }
 }
 
+bool Central::hasTasksToCome(int robot) const {
+  return execution_ && execution_->missionGoals().count(robot) > 0 &&
+         execution_->graph()->currentTask(robot).has_value();
+}
+
 void Central::publishCentralState() {
   has_changed_ = false;
   state_sent_s_ = queue_->now();

@@ -43,6 +43,8 @@ class Central {
   bool setMode(sylph::ExecutionMode mode, const std::string& reason);
   void declareLost(int robot, const std::string& reason);
 
+  /// Whether the plan that is carried out moves a robot still.
+  bool hasTasksToCome(int robot) const;
   /// Nothing while it is down.
   const sylph::Execution* execution() const { return execution_ ? &*execution_ : nullptr; }
   const std::vector<std::string>& log() const { return log_; }

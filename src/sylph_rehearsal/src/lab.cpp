@@ -164,7 +164,9 @@ void Lab::onEmergencyStop(bool is_pressed, const std::string& reason) {
 
 void Lab::onCentralState(const sylph::CentralState& state) {
   for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-    links_[robot].state.send([this, robot, state] {
+    sylph::CentralState to_robot = state;
+    to_robot.has_tasks_to_come = central_.hasTasksToCome(static_cast<int>(robot));
+    links_[robot].state.send([this, robot, state = to_robot] {
       const sylph::Execution* execution = central_.execution();
       // What was sent before the operator resumed is late, and no order to stop any more.
       const bool has_to_stop = state.mode == sylph::ExecutionMode::Stop && execution != nullptr &&

@@ -43,6 +43,16 @@ TEST(FalsePlaceTest, IsNotBelievedBecauseTheOperatorResumesForAnotherReason) {
   }
 }
 
+TEST(FalsePlaceTest, IsNotBelievedOfARobotThatWaitsForItsFirstTask) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const sylph::Experiment queue = openLab(7, 1, {{{3, 0}, {0, 0}}, {{4, 0}, {1, 0}}}, seed);
+    const Rehearsal run =
+        rehearse(queue, {}, nullptr, {simulated(FaultKind::Jump, {1}, 1.5, 4.0, 0.065)});
+    EXPECT_EQ(Ending::Finished, run.ending) << run.cause;
+  }
+}
+
 TEST(CarriedRobotTest, GoesOnFromWhereTheOperatorHasConfirmedIt) {
   const Rehearsal run = rehearse(
       passing(1), {}, nullptr,

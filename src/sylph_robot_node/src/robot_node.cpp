@@ -21,6 +21,12 @@ constexpr double kShutdownPeriodWall_s = 0.1;
 /// A simulator that has not been heard for so long has ended before this node [wall s].
 constexpr double kSimulatorGoneWall_s = 0.5;
 
+bool hasTasksToCome(const sylph_msgs::AdgState& state, const std::string& robot) {
+  return std::any_of(state.robots.begin(), state.robots.end(), [&](const auto& known) {
+    return known.robot_id == robot && known.tasks_done < known.tasks_total;
+  });
+}
+
 }  // namespace
 
 RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
@@ -99,7 +105,8 @@ void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
 
 void RobotNode::onAdgState(const sylph_msgs::AdgState& message) {
   if (const auto mode = sylph_ros::modeFromMessage(message)) {
-    controller_.onCentralState({*mode, message.executed_plan_id, message.header.stamp.toSec()},
+    controller_.onCentralState({*mode, message.executed_plan_id, message.header.stamp.toSec(),
+                                hasTasksToCome(message, options_.robot)},
                                clock_.now());
   } else {
     ROS_WARN_THROTTLE(1.0, "AdgState with mode %d: must be RUN, PAUSE or STOP", message.mode);

@@ -70,8 +70,8 @@ void RobotController::followTasks() {
 
 PoseVerdict RobotController::onPose(const TimedPose& pose) {
   const std::optional<TimedPose> before = watch_.last();
-  if (followed_plan_ == 0) {
-    watch_.confirm();  // before its first task it does not drive: it was put there
+  if (followed_plan_ == 0 && !central_.has_tasks_to_come) {
+    watch_.confirm();  // it has not driven and is not about to: it was put there
   }
   const std::optional<TimedPose> seen = watch_.seen();
   const Pose2d driven = drivenUntil(pose);

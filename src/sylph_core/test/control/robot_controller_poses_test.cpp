@@ -123,6 +123,23 @@ TEST(RobotControllerTest, ARobotWithoutATaskIsWherePeoplePutIt) {
   EXPECT_NEAR(0.45, world.report().pose->x_m, 0.01);
 }
 
+TEST(RobotControllerTest, ARobotThatIsAboutToDriveIsWhereItWasSeen) {
+  RobotWorld world({2, 0});
+  world.has_tasks_to_come = true;
+  world.run(0.2);
+  world.camera_offset.y_m = 0.065;
+  world.run(1.0);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  world.sendEastward(4);
+  world.run(1.0);
+  EXPECT_NEAR(0.15, world.x(), 0.001) << "its place is not known";
+  world.camera_offset.y_m = 0.0;
+  world.run(0.5);
+  world.sendEastward(4);  // as the central node does until the robot confirms
+  world.run(8.0);
+  EXPECT_EQ(4, world.report().done);
+}
+
 TEST(RobotControllerTest, AFalsePlaceAfterAShortOcclusionMovesNoRobot) {
   RobotWorld world({2, 0});
   world.run(0.2);

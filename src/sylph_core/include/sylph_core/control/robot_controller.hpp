@@ -39,6 +39,7 @@ struct CentralState {
   ExecutionMode mode = ExecutionMode::Run;
   std::uint32_t executed_plan_id = 0;  ///< whose tasks it may carry out; 0: of none
   double stamp_s = 0.0;                ///< when it was sent, by the central node's clock
+  bool has_tasks_to_come = false;      ///< whether that plan moves this robot still
 };
 
 /// What a robot says to the operator's word that its pose is right.
