@@ -1,13 +1,36 @@
 #include "sylph_rviz/markers_node.hpp"
 
 #include <ros/console.h>
+#include <std_msgs/String.h>
+
+#include <optional>
+#include <stdexcept>
+#include <utility>
 
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/parameters.hpp"
+#include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_rviz {
+
+namespace {
+
+/// Nothing if there is none, or it is not one.
+std::optional<sylph::MissionPlan> planOf(const sylph_msgs::JointActions& message) {
+  if (message.plan_id == 0) {
+    return std::nullopt;
+  }
+  try {
+    return sylph_ros::fromMessage(message);
+  } catch (const std::invalid_argument& error) {
+    ROS_WARN_THROTTLE(1.0, "dropped plan %u: %s", message.plan_id, error.what());
+    return std::nullopt;
+  }
+}
+
+}  // namespace
 
 MarkersNode::MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
@@ -32,6 +55,15 @@ MarkersNode::MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       sylph_ros::kSeparationTopic, 1, [this](const sylph_msgs::SeparationState::ConstPtr& message) {
         scene_.separation = *message;
       });
+  plan_subscriber_ =
+      nh_.subscribe(sylph_ros::kJointActionsTopic, 1, &MarkersNode::onJointActions, this);
+  shown_plan_subscriber_ = nh_.subscribe<sylph_msgs::JointActions>(
+      sylph_ros::kShownPlanTopic, 1, [this](const sylph_msgs::JointActions::ConstPtr& message) {
+        scene_.shown_plan = planOf(*message);  // none: it is withdrawn
+      });
+  selection_subscriber_ = nh_.subscribe<std_msgs::String>(
+      sylph_ros::kSelectedRobotTopic, 1,
+      [this](const std_msgs::String::ConstPtr& robot) { scene_.selected = robot->data; });
   // Wall time: the picture stays alive when a simulation or a replay is paused.
   timer_ = nh_.createSteadyTimer(ros::WallDuration(1.0 / options_.rate_hz),
                                  [this](const ros::SteadyTimerEvent&) { publishLayers(); });
@@ -42,6 +74,13 @@ void MarkersNode::onAdgState(const sylph_msgs::AdgState& message) {
   setState(scene_, message);
   while (inputs_.size() < scene_.robots.size()) {
     listenTo(inputs_.size());
+  }
+}
+
+void MarkersNode::onJointActions(const sylph_msgs::JointActions& message) {
+  // When the mission is over its plan stays to be looked at.
+  if (auto plan = planOf(message)) {
+    scene_.plan = std::move(plan);
   }
 }
 
@@ -60,7 +99,7 @@ void MarkersNode::onPose(std::size_t robot, const geometry_msgs::PoseStamped& me
                       judged.reason.c_str());
     return;
   }
-  scene_.robots[robot].pose = judged.pose;
+  setPose(scene_.robots[robot], judged.pose);
   last_input_s_ = clock_.now();
   inputs_[robot].pose_received_s = last_input_s_;
 }

@@ -23,11 +23,6 @@ constexpr std::uint32_t kPaceSteps = 3;
 /// Cells ahead that a robot may be in before the central node knows.
 constexpr std::size_t kCellsAhead = 3;
 
-bool isBusy(const AdgState& state) {
-  return state.phase == AdgState::PENDING || state.phase == AdgState::EXECUTING ||
-         state.phase == AdgState::CUTTING || state.phase == AdgState::AT_CUT;
-}
-
 std::string phaseText(const AdgState& state) {
   switch (state.phase) {
     case AdgState::PENDING:

@@ -23,16 +23,6 @@ double laneOf(std::size_t index) {
   return (static_cast<double>(index % kLanes) - 0.5 * static_cast<double>(kLanes - 1)) * kLaneM;
 }
 
-/// The pieces of a line one by one. RViz draws a spike where a strip turns back on itself.
-std::vector<sylph::Point> pairs(const std::vector<sylph::Point>& ends) {
-  std::vector<sylph::Point> points;
-  for (std::size_t k = 1; k < ends.size(); ++k) {
-    points.push_back(ends[k - 1]);
-    points.push_back(ends[k]);
-  }
-  return points;
-}
-
 }  // namespace
 
 Markers robotMarkers(const Scene& scene) {
@@ -94,11 +84,46 @@ Markers pathMarkers(const Scene& scene) {
       }
     }
     const auto color = withAlpha(robotColor(i), 0.85);
-    const std::vector<sylph::Point> points = pairs(ends);
+    const std::vector<sylph::Point> points = pieces(ends);
     if (!points.empty()) {
       markers.push_back(
           lineList({"line", static_cast<int>(i)}, points, height::kPath, 0.018, color));
     }
+  }
+  return markers;
+}
+
+Markers shownPlanMarkers(const Scene& scene) {
+  Markers markers;
+  if (!scene.shown_plan || (scene.state && isBusy(*scene.state))) {
+    return markers;
+  }
+  for (std::size_t agent = 0; agent < scene.shown_plan->robots.size(); ++agent) {
+    const RobotView* robot = findRobot(scene, scene.shown_plan->robots[agent]);
+    if (robot == nullptr || !scene.map) {
+      continue;
+    }
+    const auto index = static_cast<std::size_t>(robot - scene.robots.data());
+    const int id = static_cast<int>(index);
+    const double lane_m = laneOf(index);
+    std::vector<sylph::Point> way;
+    for (const sylph::Cell& cell : pathOf(*scene.shown_plan, agent)) {
+      way.push_back(*centerOf(scene, cell) + sylph::Vector2{lane_m, lane_m});
+    }
+    const std::vector<sylph::Point> ends = pieces(way);
+    std::vector<sylph::Point> dashed;
+    for (std::size_t k = 0; k < ends.size(); k += 2) {
+      const std::vector<sylph::Point> piece = dashes(ends[k], ends[k + 1], 0.0, 0.05);
+      dashed.insert(dashed.end(), piece.begin(), piece.end());
+    }
+    if (dashed.empty()) {
+      continue;  // it stays
+    }
+    markers.push_back(lineList({"line", id}, dashed, height::kDriven, 0.03, robotColor(index)));
+    markers.push_back(triangles({"head", id}, arrowHead(ends[ends.size() - 2], ends.back(), 0.12),
+                                height::kDriven, robotColor(index)));
+    markers.push_back(ring({"ring", id}, *centerOf(scene, scene.shown_plan->goals[agent]),
+                           kGoalRadiusM, height::kGoal, 0.025, robotColor(index)));
   }
   return markers;
 }

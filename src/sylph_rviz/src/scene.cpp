@@ -5,12 +5,33 @@
 
 #include <algorithm>
 
+#include "sylph_ros/conversions.hpp"
+
 namespace sylph_rviz {
 
 using sylph_msgs::AdgState;
 using sylph_msgs::RobotExecution;
 
+namespace {
+
+/// Between two points of what a robot has driven.
+constexpr double kDrivenStepM = 0.02;
+/// 100 m; what is driven after that is not kept.
+constexpr std::size_t kMaxDriven = 5000;
+
+bool beginsAnew(const AdgState& state, const AdgState& before) {
+  return state.plan_id != 0 &&
+         (state.plan_id != before.plan_id || state.elapsed_s < before.elapsed_s);
+}
+
+}  // namespace
+
 void setState(Scene& scene, const AdgState& state) {
+  if (scene.state && beginsAnew(state, *scene.state)) {
+    for (RobotView& view : scene.robots) {
+      view.driven.clear();
+    }
+  }
   for (RobotView& view : scene.robots) {
     view.execution.reset();
   }
@@ -29,6 +50,16 @@ void setState(Scene& scene, const AdgState& state) {
   scene.state = state;
 }
 
+void setPose(RobotView& robot, const sylph::Pose2d& pose) {
+  robot.pose = pose;
+  const sylph::Point position = sylph::position(pose);
+  const bool is_new =
+      robot.driven.empty() || sylph::distance(robot.driven.back(), position) >= kDrivenStepM;
+  if (is_new && robot.driven.size() < kMaxDriven) {
+    robot.driven.push_back(position);
+  }
+}
+
 std::optional<sylph::Point> centerOf(const Scene& scene, const sylph::Cell& cell) {
   if (!scene.map) {
     return std::nullopt;
@@ -40,6 +71,50 @@ const RobotView* findRobot(const Scene& scene, const std::string& name) {
   const auto found = std::find_if(scene.robots.begin(), scene.robots.end(),
                                   [&](const RobotView& robot) { return robot.name == name; });
   return found == scene.robots.end() ? nullptr : &*found;
+}
+
+std::vector<const RobotView*> waitChain(const Scene& scene, const std::string& name) {
+  std::vector<const RobotView*> chain;
+  const RobotView* robot = findRobot(scene, name);
+  while (robot != nullptr && std::find(chain.begin(), chain.end(), robot) == chain.end()) {
+    chain.push_back(robot);
+    const bool waits = robot->execution && robot->execution->waiting != 0;
+    robot = waits ? findRobot(scene, robot->execution->waits_for_robot) : nullptr;
+  }
+  return chain;
+}
+
+std::vector<sylph::Cell> pathOf(const sylph::MissionPlan& plan, std::size_t agent) {
+  std::vector<sylph::Cell> path;
+  for (const sylph::Configuration& configuration : plan.plan) {
+    if (path.empty() || path.back() != configuration[agent]) {
+      path.push_back(configuration[agent]);
+    }
+  }
+  return path;
+}
+
+bool isBusy(const AdgState& state) {
+  return state.phase == AdgState::PENDING || state.phase == AdgState::EXECUTING ||
+         state.phase == AdgState::CUTTING || state.phase == AdgState::AT_CUT;
+}
+
+std::vector<sylph::Cell> plannedPath(const Scene& scene, const RobotView& robot) {
+  if (!scene.state || !robot.execution) {
+    return {};
+  }
+  if (scene.plan && scene.plan->plan_id == scene.state->plan_id) {
+    const std::vector<std::string>& names = scene.plan->robots;
+    const auto agent = std::find(names.begin(), names.end(), robot.name);
+    return agent == names.end()
+               ? std::vector<sylph::Cell>{}
+               : pathOf(*scene.plan, static_cast<std::size_t>(agent - names.begin()));
+  }
+  std::vector<sylph::Cell> path;
+  for (const sylph_msgs::Cell& cell : robot.execution->remaining_path) {
+    path.push_back(sylph_ros::fromMessage(cell));
+  }
+  return path;
 }
 
 std::string shortName(const std::string& name) {

@@ -92,6 +92,15 @@ Marker lineList(const MarkerId& id, const std::vector<sylph::Point>& points, dou
   return line(id, Marker::LINE_LIST, points, height_m, line_width_m, color);
 }
 
+std::vector<sylph::Point> pieces(const std::vector<sylph::Point>& line) {
+  std::vector<sylph::Point> ends;
+  for (std::size_t k = 1; k < line.size(); ++k) {
+    ends.push_back(line[k - 1]);
+    ends.push_back(line[k]);
+  }
+  return ends;
+}
+
 Marker triangles(const MarkerId& id, std::vector<sylph::Point> corners, double height_m,
                  const std_msgs::ColorRGBA& color) {
   // RViz lights the front of a triangle only, and the front is where it runs counterclockwise.

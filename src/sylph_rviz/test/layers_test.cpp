@@ -18,11 +18,24 @@ std::tuple<int, std::size_t> signOf(RobotStatus status) {
   return {badge.back().type, badge.back().points.size()};
 }
 
+/// robot_1 goes from (3,4) to (3,3).
+sylph::MissionPlan planOfOneMove() {
+  sylph::MissionPlan plan;
+  plan.plan_id = 1;
+  plan.robots = {"robot_1"};
+  plan.goals = {{3, 3}};
+  plan.plan = {{{3, 4}}, {{3, 3}}};
+  return plan;
+}
+
 TEST(LayersTest, GiveEachMarkerAnIdOfItsOwn) {
   Scene scene = twoRobots();
   scene.robots[0].execution->waiting = 1;
   scene.robots[0].execution->waits_for_robot = "robot_1";
   scene.robots[0].execution->root_cause_robot = "robot_1";
+  scene.selected = "robot_0";
+  scene.state->phase = sylph_msgs::AdgState::FINISHED;
+  scene.shown_plan = planOfOneMove();
   for (const Layer& layer : kLayers) {
     std::set<std::pair<std::string, int>> ids;
     const Markers markers = layer.draw(scene);
@@ -165,6 +178,66 @@ TEST(LegendMarkersTest, StandBesideTheMapAndCountTheArrived) {
     counted = counted || marker.text == "1 of 2 arrived";
   }
   EXPECT_TRUE(counted);
+}
+
+/// robot_0 is selected, waits for robot_1, and that one for robot_2, which has a fault.
+Scene chainOfThree() {
+  Scene scene = twoRobots();
+  RobotView third = scene.robots[1];
+  third.name = "robot_2";
+  third.pose = sylph::Pose2d{0.75, 0.75, 0.0};
+  third.execution->robot_id = "robot_2";
+  scene.robots.push_back(third);
+  scene.robots[0].execution->waiting = 1;
+  scene.robots[0].execution->waits_for_robot = "robot_1";
+  scene.robots[1].execution->waiting = 1;
+  scene.robots[1].execution->waits_for_robot = "robot_2";
+  scene.selected = "robot_0";
+  return scene;
+}
+
+TEST(SelectionMarkersTest, AreEmptyUnlessARobotThatThereIsIsSelected) {
+  Scene scene = twoRobots();
+  EXPECT_TRUE(selectionMarkers(scene).empty());
+  scene.selected = "robot_9";
+  EXPECT_TRUE(selectionMarkers(scene).empty());
+}
+
+TEST(SelectionMarkersTest, NumberTheChainOfWaitsToItsEnd) {
+  const Markers markers = selectionMarkers(chainOfThree());
+  ASSERT_NE(nullptr, findMarker(markers, "chain_number", 2));
+  EXPECT_EQ("2", findMarker(markers, "chain_number", 2)->text);
+  EXPECT_EQ(nullptr, findMarker(markers, "chain_number", 3));
+}
+
+TEST(SelectionMarkersTest, ShowHeldCellsPlannedAndDrivenPathAndThePartnersWay) {
+  Scene scene = chainOfThree();
+  scene.robots[0].execution->held_cells.resize(2);
+  scene.robots[1].execution->remaining_path.resize(2);
+  scene.robots[1].execution->remaining_path[1].col = 1;
+  setPose(scene.robots[0], {0.15, 0.15, 0.0});
+  setPose(scene.robots[0], {0.15, 0.25, 0.0});
+  const Markers markers = selectionMarkers(scene);
+  EXPECT_NE(nullptr, findMarker(markers, "held", 1));
+  EXPECT_NE(nullptr, findMarker(markers, "partner", 0));
+  EXPECT_NE(nullptr, findMarker(markers, "partner_way", 0));
+  ASSERT_NE(nullptr, findMarker(markers, "planned", 0));
+  EXPECT_EQ(6U, findMarker(markers, "planned", 0)->points.size()) << "three moves";
+  ASSERT_NE(nullptr, findMarker(markers, "driven", 0));
+  EXPECT_NEAR(0.25, findMarker(markers, "driven", 0)->points[1].y, 1e-9);
+}
+
+TEST(ShownPlanMarkersTest, ShowTheWaysOfAPlanUntilAMissionIsUnderWay) {
+  Scene scene = twoRobots();
+  scene.state->phase = sylph_msgs::AdgState::FINISHED;
+  EXPECT_TRUE(shownPlanMarkers(scene).empty());
+  scene.shown_plan = planOfOneMove();
+  const Markers markers = shownPlanMarkers(scene);
+  EXPECT_NE(nullptr, findMarker(markers, "line", 1));
+  ASSERT_NE(nullptr, findMarker(markers, "ring", 1));
+  EXPECT_EQ(nullptr, findMarker(markers, "line", 0)) << "it has no part in the plan";
+  scene.state->phase = sylph_msgs::AdgState::EXECUTING;
+  EXPECT_TRUE(shownPlanMarkers(scene).empty());
 }
 
 }  // namespace

@@ -82,5 +82,49 @@ TEST(CenterOfTest, CountsRowsFromTheTopAndNeedsTheMap) {
   EXPECT_FALSE(centerOf(scene, {0, 1}));
 }
 
+TEST(WaitChainTest, EndsWhereNobodyWaitsAndWhereItClosesARing) {
+  Scene scene = twoRobots();
+  EXPECT_TRUE(waitChain(scene, "robot_9").empty());
+  EXPECT_EQ(1U, waitChain(scene, "robot_0").size());
+  for (std::size_t i = 0; i < 2; ++i) {
+    scene.robots[i].execution->waiting = 1;
+    scene.robots[i].execution->waits_for_robot = scene.robots[1 - i].name;
+  }
+  EXPECT_EQ((std::vector<const RobotView*>{&scene.robots[1], &scene.robots[0]}),
+            waitChain(scene, "robot_1"));
+}
+
+TEST(PlannedPathTest, IsThePlansWithoutWaitsAndElseWhatIsLeft) {
+  Scene scene = twoRobots();
+  EXPECT_EQ(4U, plannedPath(scene, scene.robots[0]).size());
+  scene.plan.emplace();
+  scene.plan->plan_id = 1;
+  scene.plan->robots = {"robot_1", "robot_0"};
+  scene.plan->plan = {{{3, 4}, {3, 0}}, {{3, 4}, {3, 0}}, {{3, 4}, {3, 1}}};
+  EXPECT_EQ((std::vector<sylph::Cell>{{3, 0}, {3, 1}}), plannedPath(scene, scene.robots[0]));
+  scene.plan->plan_id = 7;
+  EXPECT_EQ(4U, plannedPath(scene, scene.robots[0]).size()) << "another plan's";
+}
+
+TEST(SetPoseTest, KeepsWhereARobotHasBeenUntilTheNextPlan) {
+  Scene scene = twoRobots();
+  sylph_msgs::AdgState state = *scene.state;
+  for (const double x : {0.1, 0.105, 0.2}) {
+    setPose(scene.robots[0], {x, 0.0, 0.0});
+  }
+  ASSERT_EQ(2U, scene.robots[0].driven.size()) << "not where it stands all but still";
+  EXPECT_DOUBLE_EQ(0.2, scene.robots[0].driven.back().x);
+  state.elapsed_s = 3.0;
+  setState(scene, state);
+  EXPECT_EQ(2U, scene.robots[0].driven.size());
+  state.elapsed_s = 1.0;
+  setState(scene, state);
+  EXPECT_TRUE(scene.robots[0].driven.empty()) << "a replay that begins again";
+  setPose(scene.robots[0], {0.3, 0.0, 0.0});
+  state.plan_id = 2;
+  setState(scene, state);
+  EXPECT_TRUE(scene.robots[0].driven.empty());
+}
+
 }  // namespace
 }  // namespace sylph_rviz

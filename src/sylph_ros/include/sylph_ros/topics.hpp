@@ -30,6 +30,12 @@ constexpr char kSeparationTopic[] = "separation";
 /// std_msgs/Bool, latched: true from the separation monitor stops every robot, past the central
 /// node, until the monitor is reset.
 constexpr char kEmergencyStopTopic[] = "emergency_stop";
+/// std_msgs/String, latched: the robot that the operator looks at; empty: none.
+constexpr char kSelectedRobotTopic[] = "selected_robot";
+/// geometry_msgs/PoseStamped in the map frame, of RViz's "2D Nav Goal": a goal for that robot.
+constexpr char kNavGoalTopic[] = "nav_goal";
+/// Namespace of the interactive markers by which robots are selected and their goals are dragged.
+constexpr char kGoalMarkersTopic[] = "goal_markers";
 /// sylph_msgs/SimulationTruth: where the simulator's robots really are.
 constexpr char kSimulationTruthTopic[] = "simulation_truth";
 /// std_srvs/Trigger of the central node: robots finish the tasks that they have.

@@ -30,6 +30,14 @@ Markers statusMarkers(const Scene& scene);
 /// Who waits for whom, by which cell, and which robot is the root cause.
 Markers waitMarkers(const Scene& scene);
 
+/// Of the selected robot: its planned and its driven path, the cells that it holds, its partner's
+/// way, and who waits for whom, from it to the one that holds it up.
+Markers selectionMarkers(const Scene& scene);
+
+/// The plan that is shown before anybody moves: each robot's way, dashed, in a lane of its own, and
+/// its goal. Not while a mission is carried out.
+Markers shownPlanMarkers(const Scene& scene);
+
 /// What the signs mean, and how the mission stands. Beside the map, on its right.
 Markers legendMarkers(const Scene& scene);
 
@@ -53,22 +61,30 @@ struct Layer {
 
 /// All layers. One topic each: a display that is switched on again subscribes again and gets the
 /// latched picture.
-constexpr std::array<Layer, 8> kLayers = {{{"markers/robots", robotMarkers},
-                                           {"markers/goals", goalMarkers},
-                                           {"markers/paths", pathMarkers},
-                                           {"markers/partners", partnerMarkers},
-                                           {"markers/svo", svoMarkers},
-                                           {"markers/status", statusMarkers},
-                                           {"markers/waits", waitMarkers},
-                                           {"markers/legend", legendMarkers}}};
+constexpr std::array<Layer, 10> kLayers = {{{"markers/robots", robotMarkers},
+                                            {"markers/goals", goalMarkers},
+                                            {"markers/paths", pathMarkers},
+                                            {"markers/partners", partnerMarkers},
+                                            {"markers/svo", svoMarkers},
+                                            {"markers/status", statusMarkers},
+                                            {"markers/waits", waitMarkers},
+                                            {"markers/selection", selectionMarkers},
+                                            {"markers/shown_plan", shownPlanMarkers},
+                                            {"markers/legend", legendMarkers}}};
+
+/// Of the goals that are set by hand, which the operator's panel draws.
+constexpr char kGoalLayerTopic[] = "markers/goals_set";
 
 /// Heights that order what overlaps [m].
 namespace height {
 /// Of the sign that the name says, from the floor up.
 ///@{
+constexpr double kHeldCell = 0.005;
+constexpr double kPlanned = 0.01;
 constexpr double kPath = 0.02;
 constexpr double kGoal = 0.03;
 constexpr double kGauge = 0.04;
+constexpr double kDriven = 0.05;
 constexpr double kBody = 0.06;
 constexpr double kWait = 0.08;
 constexpr double kPartner = 0.10;

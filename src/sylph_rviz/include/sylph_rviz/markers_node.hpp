@@ -5,6 +5,7 @@
 #include <ros/publisher.h>
 #include <ros/steady_timer.h>
 #include <ros/subscriber.h>
+#include <sylph_msgs/JointActions.h>
 
 #include <memory>
 #include <string>
@@ -41,6 +42,7 @@ class MarkersNode {
   };
 
   void onAdgState(const sylph_msgs::AdgState& message);
+  void onJointActions(const sylph_msgs::JointActions& message);
   void onMap(const nav_msgs::OccupancyGrid& message);
   void onPose(std::size_t robot, const geometry_msgs::PoseStamped& message);
   void listenTo(std::size_t robot);
@@ -57,6 +59,9 @@ class MarkersNode {
   ros::Subscriber state_subscriber_;
   ros::Subscriber separation_subscriber_;
   ros::Subscriber map_subscriber_;
+  ros::Subscriber plan_subscriber_;
+  ros::Subscriber shown_plan_subscriber_;
+  ros::Subscriber selection_subscriber_;
   ros::SteadyTimer timer_;
 };
 

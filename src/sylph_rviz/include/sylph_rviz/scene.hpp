@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_core/grid/cell_frame.hpp"
 
@@ -23,6 +24,7 @@ struct RobotView {
   bool pose_is_stale = false;         ///< drawn faint
   std::optional<sylph::Cell> goal;    ///< where its plan ends
   std::optional<sylph_msgs::RobotExecution> execution;  ///< nothing before the first AdgState
+  std::vector<sylph::Point> driven;  ///< where it has been since the plan was begun [m]
 };
 
 /// What the map's extent tells the layers.
@@ -39,17 +41,38 @@ struct Scene {
   std::vector<RobotView> robots;                          ///< the index gives the colour
   std::optional<sylph_msgs::AdgState> state;              ///< the last one
   std::optional<sylph_msgs::SeparationState> separation;  ///< the last one
+  std::optional<sylph::MissionPlan> plan;                 ///< the last one, also when it is over
+  std::optional<sylph::MissionPlan> shown_plan;           ///< to be looked at before anybody moves
+  std::string selected;  ///< the robot that the operator looks at; empty: none
 };
 
 /// Takes over a state of execution: each of its robots is in the scene then, new ones behind those
-/// that were there. Robots that it does not name keep their pose and lose what they did.
+/// that were there. Robots that it does not name keep their pose and lose what they did. With a new
+/// plan, and where time has gone back, what robots have driven begins anew.
 void setState(Scene& scene, const sylph_msgs::AdgState& state);
+
+/// Takes over a pose, and keeps where the robot has been.
+void setPose(RobotView& robot, const sylph::Pose2d& pose);
 
 /// Centre of a cell, or nothing before the map is known.
 std::optional<sylph::Point> centerOf(const Scene& scene, const sylph::Cell& cell);
 
 /// The robot of that name, or nullptr.
 const RobotView* findRobot(const Scene& scene, const std::string& name);
+
+/// From a robot to the one that holds it up: each waits for the next, as far as that is known.
+/// @return begins with the robot; empty if there is none of that name
+std::vector<const RobotView*> waitChain(const Scene& scene, const std::string& name);
+
+/// The cells of an agent's way in a plan, without waits.
+std::vector<sylph::Cell> pathOf(const sylph::MissionPlan& plan, std::size_t agent);
+
+/// Whether a plan is being carried out or about to be.
+bool isBusy(const sylph_msgs::AdgState& state);
+
+/// The cells of a robot's way in the present plan, without waits; what is left of it where the plan
+/// is not known.
+std::vector<sylph::Cell> plannedPath(const Scene& scene, const RobotView& robot);
 
 /// "3" of "robot_3": what follows the last underscore, or the whole name if nothing does.
 std::string shortName(const std::string& name);

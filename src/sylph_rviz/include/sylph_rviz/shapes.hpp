@@ -31,6 +31,9 @@ Marker lineStrip(const MarkerId& id, const std::vector<sylph::Point>& points, do
 /// Lines between points 0 and 1, 2 and 3, ...
 Marker lineList(const MarkerId& id, const std::vector<sylph::Point>& points, double height_m,
                 double line_width_m, const std_msgs::ColorRGBA& color);
+/// The pieces of a line one by one, as lineList() takes them: RViz draws a spike where a strip
+/// turns back on itself.
+std::vector<sylph::Point> pieces(const std::vector<sylph::Point>& line);
 /// Filled triangles, three points each, in either orientation.
 Marker triangles(const MarkerId& id, std::vector<sylph::Point> corners, double height_m,
                  const std_msgs::ColorRGBA& color);
