@@ -3,14 +3,19 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/master.h>
 #include <ros/service.h>
+#include <std_msgs/String.h>
 #include <sylph_msgs/AdgState.h>
 
 #include <chrono>
 #include <exception>
+#include <utility>
 
+#include "sylph_core/mission/mission.hpp"
+#include "sylph_ros/experiment.hpp"
 #include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/missions.hpp"
 #include "sylph_ros/topics.hpp"
+#include "sylph_rviz/layers.hpp"
 
 namespace sylph_rviz {
 namespace {
@@ -20,6 +25,8 @@ constexpr double kServiceTimeoutS = 2.0;
 /// Poses come faster than anybody reads: of each topic the last message in this time counts.
 constexpr std::chrono::milliseconds kCallbackPeriod{50};
 constexpr int kPeriodsPerLook = 20;
+/// Of the goals that are set: as often as any layer, see MarkersNode.
+constexpr int kPeriodsPerPicture = 2;
 
 double steadyTime() {
   return ros::SteadyTime::now().toSec();
@@ -40,6 +47,7 @@ bool hasProvider(XmlRpc::XmlRpcValue& list, const std::string& name) {
 
 OperatorLink::OperatorLink(const ros::NodeHandle& suite_nh)
     : nh_(suite_nh),
+      markers_(suite_nh),
       pause_(suite_nh, sylph_ros::kPauseService, kServiceTimeoutS),
       resume_(suite_nh, sylph_ros::kResumeService, kServiceTimeoutS),
       stop_(suite_nh, sylph_ros::kStopService, kServiceTimeoutS) {
@@ -66,6 +74,14 @@ OperatorLink::OperatorLink(const ros::NodeHandle& suite_nh)
         const std::lock_guard<std::mutex> lock(mutex_);
         model_.onResult(message->result);
       }));
+  selection_ = nh_.advertise<std_msgs::String>(sylph_ros::kSelectedRobotTopic, 1, true);
+  // Its own words come back here, and those of another panel or of the shell.
+  subscribers_.push_back(nh_.subscribe<std_msgs::String>(
+      sylph_ros::kSelectedRobotTopic, 1, [this](const std_msgs::String::ConstPtr& robot) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        model_.select(robot->data);
+      }));
+  listenToGoals();
   callbacks_ = std::thread([this] { serveCallbacks(); });
   graph_ = std::thread([this] { watchGraph(); });
 }
@@ -74,8 +90,10 @@ OperatorLink::~OperatorLink() {
   is_ending_ = true;
   callbacks_.join();
   graph_.join();
-  if (start_.valid()) {
-    start_.wait();
+  for (std::future<void>* work : {&start_, &save_}) {
+    if (work->valid()) {
+      work->wait();
+    }
   }
 }
 
@@ -103,6 +121,16 @@ std::string OperatorLink::takeOutcome() {
   return std::exchange(outcome_, "");
 }
 
+void OperatorLink::select(const std::string& robot) {
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    model_.select(robot);
+  }
+  std_msgs::String message;
+  message.data = robot;
+  selection_.publish(message);
+}
+
 void OperatorLink::start(const MissionChoice& choice) {
   // A second press while the first is at work asks for the same.
   if (start_.valid() && start_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
@@ -122,15 +150,13 @@ void OperatorLink::start(const MissionChoice& choice) {
     } catch (const std::exception& error) {
       outcome = std::string("start: ") + error.what();
     }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    outcome_ = outcome;
+    tell(outcome);
   });
 }
 
 void OperatorLink::cancel() {
   client_->cancelAllGoals();
-  const std::lock_guard<std::mutex> lock(mutex_);
-  outcome_ = "cancel: robots hold at their next cells";
+  tell("cancel: robots hold at their next cells");
 }
 
 void OperatorLink::confirmPose(const std::string& robot) {
@@ -140,8 +166,9 @@ void OperatorLink::confirmPose(const std::string& robot) {
 }
 
 void OperatorLink::serveCallbacks() {
-  while (!is_ending_) {
+  for (int period = 0; !is_ending_; ++period) {
     queue_.callAvailable();
+    serveMouse(period % kPeriodsPerPicture == 0);
     std::this_thread::sleep_for(kCallbackPeriod);
   }
 }
@@ -169,20 +196,34 @@ void OperatorLink::lookAround() {
   }
   std::string lab_path;
   nh_.getParam(sylph_ros::kExperimentParameter, lab_path);
-  if (!lab_path.empty() && lab_path != lab_path_) {
-    std::vector<ExperimentChoice> choices;
-    try {
-      choices = experimentChoices(lab_path);
-    } catch (const std::exception&) {
-      choices.clear();  // on another computer, perhaps
-    }
-    const std::lock_guard<std::mutex> lock(mutex_);
-    experiments_ = choices;
+  if (lab_path != lab_path_) {
+    takeLab(lab_path);
   }
-  lab_path_ = lab_path;
   const bool has_planner = client_->isServerConnected();
   const std::lock_guard<std::mutex> lock(mutex_);
   model_.setSource(source, has_planner);
+}
+
+void OperatorLink::takeLab(const std::string& path) {
+  lab_path_ = path;
+  std::vector<ExperimentChoice> choices;
+  std::optional<sylph::Experiment> lab;
+  if (!path.empty()) {
+    try {
+      choices = experimentChoices(path);
+      lab = sylph_ros::loadExperiment(nh_);
+    } catch (const std::exception&) {
+      choices.clear();  // on another computer, perhaps
+    }
+  }
+  const std::lock_guard<std::mutex> lock(mutex_);
+  experiments_ = choices;
+  try {
+    model_.desk().setLab(lab);
+  } catch (const std::exception& error) {
+    model_.desk().setLab(std::nullopt);
+    outcome_ = error.what();
+  }
 }
 
 void OperatorLink::onState(const sylph_msgs::AdgState& state) {
@@ -205,6 +246,151 @@ void OperatorLink::listenToPose(const std::string& robot) {
           model_.onPose(robot, judged.pose, message->header.stamp.toSec());
         }
       });
+}
+
+void OperatorLink::tell(const std::string& outcome) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  outcome_ = outcome;
+}
+
+void OperatorLink::listenToGoals() {
+  plan_client_ = std::make_unique<Client>(nh_, sylph_ros::kPlanMissionAction, false);
+  goals_ = nh_.advertise<visualization_msgs::MarkerArray>(kGoalLayerTopic, 1);
+  subscribers_.push_back(
+      nh_.subscribe(sylph_ros::kNavGoalTopic, 1, &OperatorLink::onNavGoal, this));
+}
+
+void OperatorLink::serveMouse(bool sends_goals) {
+  const std::vector<GoalEvent> events = markers_.takeEvents();
+  for (std::size_t i = 0; i < events.size(); ++i) {
+    const bool is_outdated = events[i].kind == GoalEvent::Kind::Drag && i + 1 < events.size();
+    if (!is_outdated) {
+      onMouse(events[i]);
+    }
+  }
+  std::vector<GoalHandle> handles;
+  double cell_size_m = 0.0;
+  std::optional<Markers> layer;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const Scene& scene = model_.scene();
+    handles = model_.handles(steadyTime());
+    cell_size_m = scene.map ? scene.map->cell_size_m : 0.0;
+    if (sends_goals && goals_.getNumSubscribers() > 0) {
+      layer = model_.desk().markers(scene);
+    }
+  }
+  // The server of the markers has a lock of its own, which its thread holds when it calls here.
+  markers_.show(handles, cell_size_m);
+  if (layer) {
+    goals_.publish(goals_history_.update(std::move(*layer), 0.0));
+  }
+}
+
+void OperatorLink::onMouse(const GoalEvent& event) {
+  switch (event.kind) {
+    case GoalEvent::Kind::Select:
+      select(event.robot);
+      break;
+    case GoalEvent::Kind::Drag: {
+      const std::lock_guard<std::mutex> lock(mutex_);
+      model_.desk().drag(event.robot, event.point, model_.poses());
+      break;
+    }
+    case GoalEvent::Kind::Drop:
+      setGoal(event.robot, event.point);
+      break;
+  }
+}
+
+void OperatorLink::setGoal(const std::string& robot, const sylph::Point& point) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  const Refusal refusal = model_.view(0.0, steadyTime()).set_goal;
+  outcome_ = refusal.empty() ? model_.desk().set(robot, point, model_.poses())
+                             : "no goal is set: " + refusal;
+}
+
+void OperatorLink::onNavGoal(const geometry_msgs::PoseStamped& goal) {
+  const sylph_ros::JudgedPose judged = sylph_ros::judgePose(goal);
+  const std::string robot = view().selected;
+  if (judged.fault != sylph_ros::PoseFault::None) {
+    tell("2D Nav Goal: the pose " + judged.reason);
+  } else if (robot.empty()) {
+    tell("2D Nav Goal: select a robot first, by its row or by a click on it");
+  } else {
+    setGoal(robot, sylph::position(judged.pose));
+  }
+}
+
+void OperatorLink::plan() {
+  std::optional<sylph_msgs::ExecuteMissionGoal> goal;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    GoalDesk& desk = model_.desk();
+    try {
+      planned_ = sylph_ros::toGoal(desk.draft().value().mission(model_.poses()));
+    } catch (const sylph::MissionFailure& failure) {
+      outcome_ = std::string("plan: ") + failure.what();
+      return;
+    }
+    desk.onSent();
+    outcome_ = "plan: the planner is asked";
+    goal = planned_;
+  }
+  plan_client_->sendGoal(*goal, [this](const actionlib::SimpleClientGoalState& state,
+                                       const sylph_msgs::ExecuteMissionResultConstPtr& result) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    sylph_msgs::ExecuteMissionResult answer;
+    answer.message = "the planner has given no answer: " + state.toString();
+    model_.desk().onPlanned(result ? *result : answer);
+    outcome_ = model_.desk().shownPlan() == 0 ? "plan: there is none"
+                                              : "plan: shown, nothing has been moved";
+  });
+}
+
+void OperatorLink::go() {
+  std::optional<sylph_msgs::ExecuteMissionGoal> goal;
+  {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    const std::uint32_t shown_plan = model_.desk().shownPlan();
+    if (!planned_ || shown_plan == 0) {
+      outcome_ = "go: " + model_.desk().go();
+      return;
+    }
+    goal = std::exchange(planned_, std::nullopt);
+    goal->shown_plan_id = shown_plan;
+    model_.desk().clear();
+    outcome_ = "go: plan " + std::to_string(shown_plan) + " sent";
+  }
+  client_->sendGoal(*goal);
+}
+
+void OperatorLink::clearGoals() {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  model_.desk().clear();
+  outcome_ = "goals taken back";
+}
+
+void OperatorLink::setOthersGiveWay(bool others_give_way) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  model_.desk().setOthersGiveWay(others_give_way);
+}
+
+void OperatorLink::save(const std::string& path) {
+  if (save_.valid() && save_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) {
+    return;
+  }
+  save_ = std::async(std::launch::async, [this, path] {
+    try {
+      std::unique_lock<std::mutex> lock(mutex_);
+      const sylph::Experiment mission = model_.desk().draft().value().experiment(model_.poses());
+      lock.unlock();
+      saveExperiment(mission, path);
+      tell("save: " + path + " is written");
+    } catch (const std::exception& error) {
+      tell(std::string("save: ") + error.what());
+    }
+  });
 }
 
 }  // namespace sylph_rviz

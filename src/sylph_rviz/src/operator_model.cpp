@@ -9,12 +9,18 @@
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/missions.hpp"
 #include "sylph_rviz/conversions.hpp"
+#include "sylph_rviz/palette.hpp"
 
 namespace sylph_rviz {
 namespace {
 
 using sylph_msgs::AdgState;
 using sylph_msgs::RobotExecution;
+
+constexpr char kReplay[] = "a replay: no robot hears commands";
+constexpr char kNoCentral[] = "no central node is heard";
+constexpr char kNoPlanner[] = "no planner takes missions";
+constexpr char kUnderWay[] = "a mission is under way: cancel it first";
 
 /// Ten messages of the central node, and four of the planner's feedback, come in this time.
 constexpr double kHeardS = 2.0;
@@ -61,6 +67,11 @@ std::string stateText(RobotStatus status, const RobotExecution& robot) {
 
 std::string cellText(const sylph_msgs::Cell& cell) {
   return sylph::toString(sylph_ros::fromMessage(cell));
+}
+
+std::string ownWaitText(const RobotExecution& robot) {
+  return "waits " + durationText(robot.waited_s) + " for " + robot.waits_for_robot + " to leave " +
+         cellText(robot.waits_for_cell);
 }
 
 /// What the robot furthest behind still has to do, at the pace that it has had.
@@ -164,18 +175,16 @@ void OperatorModel::addMessage(OperatorView& view, double steady_s) const {
 
 void OperatorModel::addCommands(OperatorView& view, double steady_s) const {
   if (source_ == Source::Replay) {
-    view.start = view.pause = view.resume = view.stop = view.cancel = view.confirm_pose =
-        "a replay: no robot hears commands";
+    view.start = view.pause = view.resume = view.stop = view.cancel = view.confirm_pose = kReplay;
     return;
   }
   if (!hasState(steady_s)) {
-    view.start = view.pause = view.resume = view.cancel = view.confirm_pose =
-        "no central node is heard";
+    view.start = view.pause = view.resume = view.cancel = view.confirm_pose = kNoCentral;
     return;  // stop stays: a central node that is not heard may still hear
   }
   const std::uint8_t mode = scene_.state->mode;
-  view.start = !has_planner_            ? "no planner takes missions"
-               : isUnderWay(steady_s)   ? "a mission is under way: cancel it first"
+  view.start = !has_planner_            ? kNoPlanner
+               : isUnderWay(steady_s)   ? kUnderWay
                : mode == AdgState::STOP ? "stopped: resume first"
                                         : "";
   view.pause = mode == AdgState::PAUSE ? "paused already" : mode == AdgState::STOP ? "stopped" : "";
@@ -183,6 +192,65 @@ void OperatorModel::addCommands(OperatorView& view, double steady_s) const {
   view.stop = mode == AdgState::STOP ? "stopped already" : "";
   view.confirm_pose = mode != AdgState::STOP ? "stop first, and look at the robot" : "";
   view.cancel = !isUnderWay(steady_s) ? "no mission is under way" : "";
+}
+
+Refusal OperatorModel::goalRefusal(double steady_s) const {
+  if (source_ == Source::Replay) {
+    return kReplay;
+  }
+  return !hasState(steady_s)    ? kNoCentral
+         : isUnderWay(steady_s) ? kUnderWay
+         : !desk_.draft()       ? desk_.plan()
+                                : "";
+}
+
+void OperatorModel::addGoals(OperatorView& view, double steady_s) const {
+  view.goals = desk_.text();
+  view.set_goal = goalRefusal(steady_s);
+  view.plan = view.go = view.clear_goals = view.save = view.set_goal;
+  if (!view.set_goal.empty()) {
+    return;
+  }
+  const bool has_goals = !desk_.draft()->goals().empty();
+  view.clear_goals = view.save = has_goals ? "" : "no goal is set";
+  view.plan = !has_planner_ ? kNoPlanner : desk_.plan();
+  view.go = !view.start.empty() ? view.start : desk_.go();
+}
+
+sylph::RobotPoses OperatorModel::poses() const {
+  sylph::RobotPoses poses;
+  for (const RobotView& robot : scene_.robots) {
+    if (robot.pose) {
+      poses[robot.name] = {*robot.pose, {}};
+    }
+  }
+  return poses;
+}
+
+std::optional<sylph::Point> OperatorModel::handleOf(const RobotView& robot) const {
+  const auto goal = desk_.draft()->goals().find(robot.name);
+  if (goal != desk_.draft()->goals().end()) {
+    return centerOf(scene_, goal->second);
+  }
+  const sylph::CellFrame frame(scene_.map->rows, scene_.map->cell_size_m, scene_.map->corner);
+  return frame.toPoint(frame.toCell(sylph::position(*robot.pose)));
+}
+
+std::vector<GoalHandle> OperatorModel::handles(double steady_s) const {
+  std::vector<GoalHandle> handles;
+  // A footprint is not known here; where a cell is large, so are robots.
+  constexpr double kClickedPart = 0.7;
+  const double cell_size_m = scene_.map ? scene_.map->cell_size_m : 0.0;
+  const bool can_set = scene_.map && goalRefusal(steady_s).empty();
+  for (std::size_t i = 0; i < scene_.robots.size(); ++i) {
+    const RobotView& robot = scene_.robots[i];
+    if (robot.pose) {
+      handles.push_back({robot.name, std::max(robot.length_m, kClickedPart * cell_size_m),
+                         std::max(robot.width_m, kClickedPart * cell_size_m), robotColor(i),
+                         can_set ? handleOf(robot) : std::nullopt});
+    }
+  }
+  return handles;
 }
 
 RobotRow OperatorModel::rowOf(const RobotView& robot, double ros_s) const {
@@ -202,6 +270,7 @@ RobotRow OperatorModel::rowOf(const RobotView& robot, double ros_s) const {
     row.waits = robot.execution->waits_for_robot + ", " + durationText(robot.execution->waited_s);
   }
   row.reason = waitText(*robot.execution);
+  row.chain = chainText(scene_, robot.name);
   row.partner = robot.execution->partner;
   if (std::isfinite(robot.execution->svo_deg) && scene_.state->plan_id != 0) {
     row.svo_deg = static_cast<double>(robot.execution->svo_deg);
@@ -213,8 +282,10 @@ RobotRow OperatorModel::rowOf(const RobotView& robot, double ros_s) const {
 OperatorView OperatorModel::view(double ros_s, double steady_s) const {
   OperatorView view;
   view.headline = headline(steady_s);
+  view.selected = scene_.selected;
   addMessage(view, steady_s);
   addCommands(view, steady_s);
+  addGoals(view, steady_s);
   for (const RobotView& robot : scene_.robots) {
     view.rows.push_back(rowOf(robot, ros_s));
     if (robot.execution) {
@@ -247,8 +318,7 @@ std::string waitText(const RobotExecution& robot) {
   if (robot.waits_for_robot.empty()) {
     return "";
   }
-  std::string text = "waits " + durationText(robot.waited_s) + " for " + robot.waits_for_robot +
-                     " to leave " + cellText(robot.waits_for_cell);
+  std::string text = ownWaitText(robot);
   if (!robot.root_cause_robot.empty() &&
       (robot.root_cause_robot != robot.waits_for_robot || !robot.root_cause.empty())) {
     text += "; cause: " + robot.root_cause_robot;
@@ -257,6 +327,24 @@ std::string waitText(const RobotExecution& robot) {
     }
   }
   return text;
+}
+
+std::vector<std::string> chainText(const Scene& scene, const std::string& robot) {
+  std::vector<std::string> lines;
+  for (const RobotView* link : waitChain(scene, robot)) {
+    if (!link->execution) {
+      continue;
+    }
+    const RobotExecution& execution = *link->execution;
+    if (execution.condition != RobotExecution::OK) {
+      lines.push_back(link->name + " " + execution.root_cause);
+    } else if (execution.waiting != 0) {
+      lines.push_back(link->name + " " + ownWaitText(execution));
+    } else if (!lines.empty()) {
+      lines.push_back(link->name + " " + stateText(statusOf(*scene.state, execution), execution));
+    }
+  }
+  return lines;
 }
 
 std::optional<double> trackingError(const Scene& scene, const RobotView& robot) {

@@ -1,12 +1,15 @@
 #include "sylph_rviz/operator_panel.hpp"
 
+#include <QCheckBox>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
 #include <QProgressBar>
 #include <QPushButton>
+#include <QSignalBlocker>
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
@@ -105,6 +108,7 @@ OperatorPanel::OperatorPanel(QWidget* parent)
   buildMission(column);
   buildCommands(column);
   buildTable(column);
+  buildGoals(column);
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &OperatorPanel::refresh);
   timer->start(kRefreshPeriodMs);
@@ -179,7 +183,7 @@ void OperatorPanel::buildCommands(QVBoxLayout* column) {
   connect(stop_, &QPushButton::clicked, this, [this] { link_->stop(); });
   connect(cancel_, &QPushButton::clicked, this, [this] { link_->cancel(); });
   connect(confirm_pose_, &QPushButton::clicked, this,
-          [this] { link_->confirmPose(selectedRobot()); });
+          [this] { link_->confirmPose(link_->view().selected); });
   outcome_ = new QLabel;
   outcome_->setObjectName("outcome");
   outcome_->setWordWrap(true);
@@ -199,14 +203,65 @@ void OperatorPanel::buildTable(QVBoxLayout* column) {
   table_->setItemDelegateForColumn(kSvo, new SvoDelegate(table_));
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+  table_->setToolTip(
+      "Select a robot: the scene shows its plan and way, its cells, its partner and "
+      "for whom it waits. Ctrl+click ends that.");
+  connect(table_, &QTableWidget::itemSelectionChanged, this,
+          [this] { link_->select(robotOfSelectedRow()); });
   column->addWidget(table_, 1);
+  signs_ = new QLabel;
+  signs_->setObjectName("signs");
+  signs_->setWordWrap(true);
+  column->addWidget(signs_);
   reasons_ = new QLabel;
   reasons_->setObjectName("reasons");
   reasons_->setWordWrap(true);
   column->addWidget(reasons_);
 }
 
-std::string OperatorPanel::selectedRobot() const {
+void OperatorPanel::buildGoals(QVBoxLayout* column) {
+  goals_ = new QLabel;
+  goals_->setObjectName("goals");
+  goals_->setWordWrap(true);
+  column->addWidget(goals_);
+  plan_ = makeButton("plan", "Plan");
+  go_ = makeButton("go", "Go");
+  clear_goals_ = makeButton("clear_goals", "Clear");
+  save_ = makeButton("save", "Save...");
+  others_give_way_ = new QCheckBox("others give way");
+  others_give_way_->setObjectName("others_give_way");
+  others_give_way_->setToolTip(
+      "robots without a goal may step aside and come back; "
+      "otherwise they stay and are obstacles");
+  auto* row = new QHBoxLayout;
+  row->addWidget(new QLabel("Goals by mouse"));
+  for (QPushButton* button : {plan_, go_, clear_goals_, save_}) {
+    row->addWidget(button);
+  }
+  row->addWidget(others_give_way_);
+  column->addLayout(row);
+  connect(plan_, &QPushButton::clicked, this, [this] { link_->plan(); });
+  connect(go_, &QPushButton::clicked, this, [this] { link_->go(); });
+  connect(clear_goals_, &QPushButton::clicked, this, [this] { link_->clearGoals(); });
+  connect(save_, &QPushButton::clicked, this, &OperatorPanel::askWhereToSave);
+  connect(others_give_way_, &QCheckBox::toggled, this,
+          [this](bool give_way) { link_->setOthersGiveWay(give_way); });
+}
+
+void OperatorPanel::askWhereToSave() {
+  auto* dialog =
+      new QFileDialog(this, "Save the mission as an experiment", QString(), "Experiments (*.yaml)");
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setAcceptMode(QFileDialog::AcceptSave);
+  dialog->setDefaultSuffix("yaml");
+  // A file that is there is left alone in any case, with a line that says so.
+  dialog->setOption(QFileDialog::DontConfirmOverwrite);
+  connect(dialog, &QFileDialog::fileSelected, this,
+          [this](const QString& path) { link_->save(path.toStdString()); });
+  dialog->open();
+}
+
+std::string OperatorPanel::robotOfSelectedRow() const {
   const QList<QTableWidgetItem*> items = table_->selectedItems();
   return items.isEmpty() ? "" : table_->item(items.front()->row(), kRobot)->text().toStdString();
 }
@@ -226,7 +281,9 @@ void OperatorPanel::refresh() {
   showExperiments();
   showMission(view);
   showCommands(view);
+  showGoals(view);
   showRows(view);
+  showSelection(view);
   showReasons(view);
   if (const std::string outcome = link_->takeOutcome(); !outcome.empty()) {
     outcome_->setText(fromText(outcome));
@@ -279,7 +336,7 @@ void OperatorPanel::showCommands(const OperatorView& view) {
   setRefusal(resume_, view.resume);
   setRefusal(stop_, view.stop);
   setRefusal(cancel_, view.cancel);
-  const std::string robot = selectedRobot();
+  const std::string& robot = view.selected;
   setRefusal(confirm_pose_, !view.confirm_pose.empty() ? view.confirm_pose
                             : robot.empty()            ? "select the robot's row"
                                                        : "");
@@ -289,6 +346,16 @@ void OperatorPanel::showCommands(const OperatorView& view) {
   if (!view.stop.empty() && view.stop == view.pause) {
     outcome_->setText("commands are off: " + fromText(view.stop));
   }
+}
+
+void OperatorPanel::showGoals(const OperatorView& view) {
+  setRefusal(plan_, view.plan);
+  setRefusal(go_, view.go);
+  setRefusal(clear_goals_, view.clear_goals);
+  setRefusal(save_, view.save);
+  others_give_way_->setEnabled(view.set_goal.empty());
+  goals_->setText(fromText(view.goals));
+  goals_->setVisible(!view.goals.empty());
 }
 
 void OperatorPanel::showRows(const OperatorView& view) {
@@ -316,11 +383,36 @@ void OperatorPanel::showRows(const OperatorView& view) {
   }
 }
 
+void OperatorPanel::showSelection(const OperatorView& view) {
+  signs_->setVisible(!view.selected.empty());
+  signs_->setText(fromText(view.selected) +
+                  ": band = its plan, white = driven, squares = cells it holds, dashes = its "
+                  "partner's way, 1 2 3 = who waits for whom");
+  if (view.selected == robotOfSelectedRow()) {
+    return;
+  }
+  const QSignalBlocker blocker(table_);
+  table_->clearSelection();
+  for (int i = 0; i < table_->rowCount(); ++i) {
+    if (view.rows[static_cast<std::size_t>(i)].name == view.selected) {
+      table_->selectRow(i);
+    }
+  }
+}
+
 void OperatorPanel::showReasons(const OperatorView& view) {
   constexpr int kLines = 8;
   QStringList lines;
   for (const RobotRow& row : view.rows) {
-    if (!row.reason.empty()) {
+    if (row.name == view.selected) {
+      for (const std::string& line : row.chain) {
+        lines.append(fromText(line));
+      }
+    }
+  }
+  const bool is_of_selected = !lines.isEmpty();
+  for (const RobotRow& row : view.rows) {
+    if (!row.reason.empty() && !is_of_selected) {
       lines.append(fromText(row.name + " " + row.reason));
     }
   }

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "mission/small_lab.hpp"
 #include "test_scene.hpp"
 
 namespace sylph_rviz {
@@ -51,6 +52,25 @@ TEST_F(OperatorModelTest, TellsForWhomARobotWaitsHowLongAndWhoIsTheCause) {
   EXPECT_EQ("waits", row(0).state);
   EXPECT_EQ("robot_1, 5.2 s", row(0).waits);
   EXPECT_EQ("waits 5.2 s for robot_1 to leave (3,4); cause: robot_7, no good pose", row(0).reason);
+}
+
+TEST_F(OperatorModelTest, TellsTheChainOfWaitsOfARobotLinkByLink) {
+  for (std::size_t i = 0; i < 2; ++i) {
+    state.robots[i].tasks_total = 3;
+    state.robots[i].waiting = i == 0 ? 1 : 0;
+    state.robots[i].task_status = 1;
+  }
+  state.robots[0].waits_for_robot = "robot_1";
+  state.robots[0].waited_s = 2.0;
+  hear();
+  EXPECT_EQ((std::vector<std::string>{"robot_0 waits 2.0 s for robot_1 to leave (0,0)",
+                                      "robot_1 drives"}),
+            row(0).chain);
+  EXPECT_TRUE(row(1).chain.empty());
+  state.robots[1].condition = RobotExecution::STUCK;
+  state.robots[1].root_cause = "has not moved for 6 s";
+  hear();
+  EXPECT_EQ("robot_1 has not moved for 6 s", row(0).chain.at(1));
 }
 
 TEST_F(OperatorModelTest, ShowsAFaultWithItsReason) {
@@ -127,9 +147,44 @@ TEST_F(OperatorModelTest, AReplayIsShownAndNotCommanded) {
   const OperatorView view = model.view(0.0, 1000.0);  // paused for long
   EXPECT_EQ("replay: executing, 1 of 2 robots arrived", view.headline);
   for (const Refusal& refusal :
-       {view.start, view.pause, view.resume, view.stop, view.cancel, view.confirm_pose}) {
+       {view.start, view.pause, view.resume, view.stop, view.cancel, view.confirm_pose,
+        view.set_goal, view.plan, view.go, view.clear_goals, view.save}) {
     EXPECT_EQ("a replay: no robot hears commands", refusal);
   }
+}
+
+TEST_F(OperatorModelTest, GoalsAreSetByHandBetweenMissions) {
+  hear();
+  nav_msgs::OccupancyGrid map;
+  map.info.width = 5;
+  map.info.height = 3;
+  map.info.resolution = 0.3F;
+  model.onMap(map);
+  model.onPose("robot_0", {0.2, 0.7, 0.0}, 0.0);
+  EXPECT_EQ("a mission is under way: cancel it first", model.view(0.0, 0.0).set_goal);
+  ASSERT_EQ(1U, model.handles(0.0).size()) << "robot_1 has no pose";
+  EXPECT_FALSE(model.handles(0.0)[0].goal);
+
+  state.phase = AdgState::FINISHED;
+  hear();
+  EXPECT_EQ("the lab's experiment is not known here", model.view(0.0, 0.0).plan);
+  model.desk().setLab(sylph::smallLab());
+  OperatorView view = model.view(0.0, 0.0);
+  EXPECT_EQ("", view.set_goal);
+  EXPECT_EQ("no goal is set", view.save);
+  ASSERT_TRUE(model.handles(0.0)[0].goal) << "to be dragged from the robot's cell";
+  EXPECT_NEAR(0.15, model.handles(0.0)[0].goal->x, 1e-6);
+  EXPECT_NEAR(0.75, model.handles(0.0)[0].goal->y, 1e-6);
+
+  model.desk().set("robot_0", {0.75, 0.75}, model.poses());
+  EXPECT_NEAR(0.75, model.handles(0.0)[0].goal->x, 1e-6);
+  view = model.view(0.0, 0.0);
+  EXPECT_EQ("robot_0 to (0,2); 2 robots stay", view.goals);
+  EXPECT_EQ("", view.plan);
+  EXPECT_EQ("", view.save);
+  EXPECT_EQ("plan first", view.go);
+  model.setSource(Source::Live, false);
+  EXPECT_EQ("no planner takes missions", model.view(0.0, 0.0).plan);
 }
 
 TEST_F(OperatorModelTest, ShowsThePlannersPhaseAndHowTheMissionEnded) {

@@ -3,6 +3,7 @@
 #include <actionlib/server/simple_action_server.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
 
 #include <QApplication>
@@ -120,6 +121,26 @@ TEST_F(OperatorPanelTest, StartsTheChosenExperimentWithTheChosenPlanner) {
   EXPECT_EQ(mission.robots.size(), mission.goals.size());
   ASSERT_TRUE(server.isActive());
   server.setSucceeded();
+}
+
+TEST_F(OperatorPanelTest, SelectsARobotByItsRowAndShowsWhatOthersSelect) {
+  std::string selected;
+  const ros::Subscriber listener = suite_.subscribe<std_msgs::String>(
+      sylph_ros::kSelectedRobotTopic, 1,
+      [&](const std_msgs::String::ConstPtr& robot) { selected = robot->data; });
+  auto& table = *panel_.findChild<QTableWidget*>("robots");
+  ASSERT_TRUE(waitUntil([&] { return table.rowCount() == 2; }));
+  table.selectRow(1);
+  EXPECT_TRUE(waitUntil([&] { return selected == "robot_1"; })) << selected;
+  ros::Publisher other =
+      suite_.advertise<std_msgs::String>(sylph_ros::kSelectedRobotTopic, 1, true);
+  std_msgs::String robot;
+  robot.data = "robot_0";
+  other.publish(robot);
+  EXPECT_TRUE(waitUntil([&] { return table.item(0, 0)->isSelected(); }));
+  EXPECT_FALSE(table.item(1, 0)->isSelected());
+  table.clearSelection();
+  EXPECT_TRUE(waitUntil([&] { return selected.empty(); })) << selected;
 }
 
 TEST_F(OperatorPanelTest, ConfirmsThePoseOfTheSelectedRobotWhileAllAreStopped) {

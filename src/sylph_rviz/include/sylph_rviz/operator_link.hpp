@@ -4,6 +4,7 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/callback_queue.h>
 #include <ros/node_handle.h>
+#include <ros/publisher.h>
 #include <sylph_msgs/ExecuteMissionAction.h>
 
 #include <atomic>
@@ -18,6 +19,8 @@
 #include <vector>
 
 #include "sylph_rviz/experiment_choices.hpp"
+#include "sylph_rviz/goal_markers.hpp"
+#include "sylph_rviz/layer_history.hpp"
 #include "sylph_rviz/operator_model.hpp"
 #include "sylph_rviz/trigger_call.hpp"
 
@@ -47,6 +50,20 @@ class OperatorLink {
   /// How the last command ended, in one line, once; empty: nothing new.
   std::string takeOutcome();
 
+  /// Tells everybody which robot the operator looks at; empty: none.
+  void select(const std::string& robot);
+
+  /// Plans the goals that are set by hand and shows the plan; nothing moves.
+  void plan();
+  /// Sends the shown plan off.
+  void go();
+  /// Takes back the goals that are set by hand.
+  void clearGoals();
+  /// Whether robots without a goal may step aside and come back.
+  void setOthersGiveWay(bool others_give_way);
+  /// Writes the goals that are set by hand as an experiment file, which must not be there yet.
+  void save(const std::string& path);
+
   /// Sends the mission of an experiment to the planner.
   void start(const MissionChoice& choice);
   /// Ends the mission: robots hold at their next cells.
@@ -68,6 +85,13 @@ class OperatorLink {
   void lookAround();
   void onState(const sylph_msgs::AdgState& state);
   void listenToPose(const std::string& robot);
+  void listenToGoals();
+  void serveMouse(bool sends_goals);
+  void onMouse(const GoalEvent& event);
+  void setGoal(const std::string& robot, const sylph::Point& point);
+  void onNavGoal(const geometry_msgs::PoseStamped& goal);
+  void takeLab(const std::string& path);
+  void tell(const std::string& outcome);
 
   ros::NodeHandle nh_;
   ros::CallbackQueue queue_;
@@ -78,12 +102,19 @@ class OperatorLink {
   std::string outcome_;
   std::map<std::string, ros::Subscriber> poses_;  ///< of the thread that serves callbacks
   std::vector<ros::Subscriber> subscribers_;
+  ros::Publisher selection_;
+  ros::Publisher goals_;
+  std::optional<sylph_msgs::ExecuteMissionGoal> planned_;  ///< what the planner was asked to show
+  LayerHistory goals_history_;                             ///< of the thread that serves callbacks
+  GoalMarkers markers_;
   std::unique_ptr<Client> client_;
+  std::unique_ptr<Client> plan_client_;
   TriggerCall pause_;
   TriggerCall resume_;
   TriggerCall stop_;
   std::unique_ptr<TriggerCall> confirm_pose_;  ///< of the robot that was confirmed last
   std::future<void> start_;
+  std::future<void> save_;
   std::atomic<bool> is_ending_{false};
   std::thread callbacks_;
   std::thread graph_;

@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "sylph_core/geometry/pose2d.hpp"
+#include "sylph_rviz/goal_desk.hpp"
+#include "sylph_rviz/goal_handle.hpp"
 #include "sylph_rviz/scene.hpp"
 
 namespace sylph_rviz {
@@ -22,9 +24,6 @@ enum class Source {
   Replay  ///< a bag: there is no node to command
 };
 
-/// Why a command cannot be given, for the operator; empty: it can be.
-using Refusal = std::string;
-
 /// One robot as a line of the operator's table. What is not known is empty.
 struct RobotRow {
   std::string name;                           ///< as in the experiment
@@ -32,10 +31,11 @@ struct RobotRow {
   std::string state;                          ///< its status in a word
   std::string cell;                           ///< where it is, "(row,col)"
   std::string waits;                          ///< for whom and how long
-  std::string reason;                ///< why it does not go on, down to who holds everybody up
-  std::string partner;               ///< its name
-  std::optional<double> svo_deg;     ///< 0: selfish, 45: prosocial
-  std::optional<double> pose_age_s;  ///< since its last pose was measured
+  std::string reason;              ///< why it does not go on, down to who holds everybody up
+  std::vector<std::string> chain;  ///< a line for each robot that waits for the next, from this one
+  std::string partner;             ///< its name
+  std::optional<double> svo_deg;   ///< 0: selfish, 45: prosocial
+  std::optional<double> pose_age_s;        ///< since its last pose was measured
   std::optional<double> tracking_error_m;  ///< from the way that it has to drive
 };
 
@@ -49,12 +49,19 @@ struct OperatorView {
   std::optional<double> elapsed_s;  ///< since the plan was begun
   std::optional<double> left_s;     ///< at the pace so far; nothing before there is one
   std::vector<RobotRow> rows;       ///< in the order of the plan's robots
+  std::string selected;             ///< the robot that the operator looks at; empty: none
+  std::string goals;                ///< that are set by hand, and what was planned of them
   Refusal start;                    ///< of a mission
   Refusal pause;                    ///< of the lab
   Refusal resume;                   ///< after a pause or stop
   Refusal stop;                     ///< of the lab, at once
   Refusal cancel;                   ///< of the mission
   Refusal confirm_pose;             ///< of any one robot
+  Refusal set_goal;                 ///< by hand
+  Refusal plan;                     ///< of the goals that are set
+  Refusal go;                       ///< with the plan that is shown
+  Refusal clear_goals;              ///< of those that are set
+  Refusal save;                     ///< of the goals that are set, as an experiment
 };
 
 /// What is known of a run, from messages alone: no clock, no ROS. Times are told by the caller, in
@@ -72,8 +79,18 @@ class OperatorModel {
   void onMap(const nav_msgs::OccupancyGrid& map);
   /// The planner says how far it is, at `steady_s` [s].
   void onFeedback(const sylph_msgs::ExecuteMissionFeedback& feedback, double steady_s);
+  /// The robot that the operator looks at; empty: none.
+  void select(const std::string& robot) { scene_.selected = robot; }
   /// A mission has ended.
   void onResult(const sylph_msgs::ExecuteMissionResult& result);
+
+  /// Goals that are set by hand.
+  GoalDesk& desk() { return desk_; }
+  const GoalDesk& desk() const { return desk_; }
+  /// Of the robots, as far as they have come.
+  sylph::RobotPoses poses() const;
+  /// What there is to click and to drag. Goals only while they can be set.
+  std::vector<GoalHandle> handles(double steady_s) const;
 
   /// Robots, their poses and what they do.
   const Scene& scene() const { return scene_; }
@@ -87,11 +104,15 @@ class OperatorModel {
   std::string headline(double steady_s) const;
   void addMessage(OperatorView& view, double steady_s) const;
   void addCommands(OperatorView& view, double steady_s) const;
+  Refusal goalRefusal(double steady_s) const;
+  void addGoals(OperatorView& view, double steady_s) const;
+  std::optional<sylph::Point> handleOf(const RobotView& robot) const;
   RobotRow rowOf(const RobotView& robot, double ros_s) const;
 
   Source source_ = Source::None;
   bool has_planner_ = false;
   Scene scene_;
+  GoalDesk desk_;
   std::optional<double> state_heard_s_;
   std::map<std::string, double> pose_stamps_s_;
   std::optional<sylph_msgs::ExecuteMissionFeedback> feedback_;
@@ -105,6 +126,9 @@ std::string durationText(double seconds);
 /// Why a robot does not go on: its fault, or for whom it waits, how long, and who holds them all
 /// up. Empty if it goes on.
 std::string waitText(const sylph_msgs::RobotExecution& robot);
+
+/// The chain of waits from a robot to the one that holds it up, a line each; empty if it goes on.
+std::vector<std::string> chainText(const Scene& scene, const std::string& robot);
 
 /// How far a robot is from the way that it has to drive now [m]; nothing without pose, task or map.
 std::optional<double> trackingError(const Scene& scene, const RobotView& robot);

@@ -7,6 +7,7 @@
 
 #include "sylph_rviz/operator_link.hpp"
 
+class QCheckBox;
 class QComboBox;
 class QLabel;
 class QProgressBar;
@@ -33,14 +34,18 @@ class OperatorPanel : public rviz::Panel {
  private:
   void buildMission(QVBoxLayout* column);
   void buildCommands(QVBoxLayout* column);
+  void buildGoals(QVBoxLayout* column);
   void buildTable(QVBoxLayout* column);
   static QPushButton* makeButton(const char* name, const QString& text);
-  std::string selectedRobot() const;  ///< empty: none
+  std::string robotOfSelectedRow() const;  ///< empty: none
   void start();
+  void askWhereToSave();
   void showExperiments();
   void showMission(const OperatorView& view);
+  void showGoals(const OperatorView& view);
   void showCommands(const OperatorView& view);
   void showRows(const OperatorView& view);
+  void showSelection(const OperatorView& view);
   void showReasons(const OperatorView& view);
 
   std::unique_ptr<OperatorLink> link_;
@@ -59,7 +64,14 @@ class OperatorPanel : public rviz::Panel {
   QPushButton* stop_ = nullptr;
   QPushButton* cancel_ = nullptr;
   QPushButton* confirm_pose_ = nullptr;
+  QLabel* goals_ = nullptr;
+  QCheckBox* others_give_way_ = nullptr;
+  QPushButton* plan_ = nullptr;
+  QPushButton* go_ = nullptr;
+  QPushButton* clear_goals_ = nullptr;
+  QPushButton* save_ = nullptr;
   QTableWidget* table_ = nullptr;
+  QLabel* signs_ = nullptr;
   QLabel* reasons_ = nullptr;
 };
 
