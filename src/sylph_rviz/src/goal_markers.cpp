@@ -112,6 +112,11 @@ void GoalMarkers::onFeedback(const Feedback& feedback, const std::string& robot)
 }
 
 void GoalMarkers::showRobot(const GoalHandle& handle) {
+  // RViz may pick either of two that lie on each other, whichever is higher.
+  if (handle.is_on_robot) {
+    server_.erase(kRobot + handle.robot);
+    return;
+  }
   const Marker shape = box({}, {0.0, 0.0}, handle.length_m, handle.width_m, kRobotPickedM,
                            withAlpha(white(), kPickedAlpha));
   server_.insert(
@@ -154,11 +159,12 @@ void GoalMarkers::show(const std::vector<GoalHandle>& handles, double cell_size_
     const bool is_new = before == shown_.end();
     const bool is_dropped =
         std::find(dropped_.begin(), dropped_.end(), handle.robot) != dropped_.end();
-    if (is_new) {
-      showRobot(handle);
-    }
-    const bool moves = is_new || is_dropped || !isSame(before->second.goal, handle.goal);
+    const bool is_changed = is_new || before->second.is_on_robot != handle.is_on_robot;
+    const bool moves = is_changed || is_dropped || !isSame(before->second.goal, handle.goal);
     if (moves && handle.robot != dragged_) {
+      if (is_changed) {
+        showRobot(handle);
+      }
       showGoal(handle, cell_size_m);
       shown_[handle.robot] = handle;
       has_changed = true;

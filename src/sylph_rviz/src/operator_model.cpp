@@ -247,7 +247,8 @@ std::vector<GoalHandle> OperatorModel::handles(double steady_s) const {
     if (robot.pose) {
       handles.push_back({robot.name, std::max(robot.length_m, kClickedPart * cell_size_m),
                          std::max(robot.width_m, kClickedPart * cell_size_m), robotColor(i),
-                         can_set ? handleOf(robot) : std::nullopt});
+                         can_set ? handleOf(robot) : std::nullopt,
+                         can_set && desk_.draft()->goals().count(robot.name) == 0});
     }
   }
   return handles;

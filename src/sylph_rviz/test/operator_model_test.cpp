@@ -173,10 +173,12 @@ TEST_F(OperatorModelTest, GoalsAreSetByHandBetweenMissions) {
   EXPECT_EQ("", view.set_goal);
   EXPECT_EQ("no goal is set", view.save);
   ASSERT_TRUE(model.handles(0.0)[0].goal) << "to be dragged from the robot's cell";
+  EXPECT_TRUE(model.handles(0.0)[0].is_on_robot);
   EXPECT_NEAR(0.15, model.handles(0.0)[0].goal->x, 1e-6);
   EXPECT_NEAR(0.75, model.handles(0.0)[0].goal->y, 1e-6);
 
   model.desk().set("robot_0", {0.75, 0.75}, model.poses());
+  EXPECT_FALSE(model.handles(0.0)[0].is_on_robot);
   EXPECT_NEAR(0.75, model.handles(0.0)[0].goal->x, 1e-6);
   view = model.view(0.0, 0.0);
   EXPECT_EQ("robot_0 to (0,2); 2 robots stay", view.goals);

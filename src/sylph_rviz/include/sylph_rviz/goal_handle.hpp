@@ -16,6 +16,7 @@ struct GoalHandle {
   double width_m = 0.0;              ///< of its footprint, > 0
   std_msgs::ColorRGBA color;         ///< of the handle
   std::optional<sylph::Point> goal;  ///< where its handle is; nothing: goals cannot be dragged
+  bool is_on_robot = false;          ///< the handle lies on the robot, and is clicked in its place
 };
 
 /// What an operator does with the mouse.
