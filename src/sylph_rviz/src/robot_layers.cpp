@@ -111,11 +111,7 @@ Markers shownPlanMarkers(const Scene& scene) {
       way.push_back(*centerOf(scene, cell) + sylph::Vector2{lane_m, lane_m});
     }
     const std::vector<sylph::Point> ends = pieces(way);
-    std::vector<sylph::Point> dashed;
-    for (std::size_t k = 0; k < ends.size(); k += 2) {
-      const std::vector<sylph::Point> piece = dashes(ends[k], ends[k + 1], 0.0, 0.05);
-      dashed.insert(dashed.end(), piece.begin(), piece.end());
-    }
+    const std::vector<sylph::Point> dashed = dashesAlong(ends, 0.05);
     if (dashed.empty()) {
       continue;  // it stays
     }

@@ -57,12 +57,7 @@ void addPartner(const Scene& scene, const RobotView& robot, Markers& markers) {
   for (const sylph_msgs::Cell& cell : partner->execution->remaining_path) {
     cells.push_back(sylph_ros::fromMessage(cell));
   }
-  const std::vector<sylph::Point> ends = pieces(centersOf(scene, cells));
-  std::vector<sylph::Point> way;
-  for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
-    const std::vector<sylph::Point> dashed = dashes(ends[k], ends[k + 1], 0.0, 0.05);
-    way.insert(way.end(), dashed.begin(), dashed.end());
-  }
+  const std::vector<sylph::Point> way = dashesAlong(pieces(centersOf(scene, cells)), 0.05);
   if (!way.empty()) {
     markers.push_back(lineList({"partner_way", 0}, way, height::kDriven, 0.04, color));
   }

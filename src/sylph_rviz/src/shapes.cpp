@@ -213,6 +213,15 @@ std::vector<sylph::Point> dashes(const sylph::Point& from, const sylph::Point& t
   return points;
 }
 
+std::vector<sylph::Point> dashesAlong(const std::vector<sylph::Point>& ends, double dash_m) {
+  std::vector<sylph::Point> points;
+  for (std::size_t k = 0; k + 1 < ends.size(); k += 2) {
+    const std::vector<sylph::Point> piece = dashes(ends[k], ends[k + 1], 0.0, dash_m);
+    points.insert(points.end(), piece.begin(), piece.end());
+  }
+  return points;
+}
+
 Marker attach(Marker marker, const RobotView& robot, bool turn) {
   marker.header.frame_id = robot.name;
   marker.frame_locked = 1;

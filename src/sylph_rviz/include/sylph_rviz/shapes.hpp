@@ -73,6 +73,9 @@ std::vector<sylph::Point> bentLine(const sylph::Point& from, const sylph::Point&
 std::vector<sylph::Point> dashes(const sylph::Point& from, const sylph::Point& to, double gap_m,
                                  double dash_m);
 
+/// Dashes along each of the lines that pieces() gives.
+std::vector<sylph::Point> dashesAlong(const std::vector<sylph::Point>& ends, double dash_m);
+
 /// Ties a marker that was made around the origin to a robot, so that it moves with the robot's
 /// transform between two messages.
 /// @param turn  whether it turns with the robot; otherwise it keeps the directions of the map
