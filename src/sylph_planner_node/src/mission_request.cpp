@@ -87,10 +87,6 @@ std::shared_ptr<const sylph::Policy> Weights::of(const std::string& planner) {
   return policy_;
 }
 
-double bystanderDistance(const sylph::Experiment& lab) {
-  return lab.cell_size_m / 2.0 - startLimits(lab).room_m;
-}
-
 sylph::Mission readMission(const ExecuteMissionGoal& goal, const sylph::Experiment& lab,
                            Weights& weights) {
   requireRobots(goal, lab);

@@ -5,6 +5,7 @@
 #include <utility>
 #include <variant>
 
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_planner_node/mission_messages.hpp"
 #include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"

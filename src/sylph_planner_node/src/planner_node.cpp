@@ -8,6 +8,7 @@
 #include <variant>
 #include <vector>
 
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_planner_node/mission_messages.hpp"
 #include "sylph_planner_node/occupancy_grid.hpp"
 #include "sylph_ros/experiment.hpp"

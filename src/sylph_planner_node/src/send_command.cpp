@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sylph_core/experiment/experiment_margin.hpp"
 #include "sylph_core/mission/checked_plan.hpp"
 #include "sylph_core/mission/goal_judge.hpp"
 #include "sylph_core/text/join.hpp"
@@ -63,7 +64,8 @@ int SendCommand::run() {
   poses_.stop();
   const sylph::Configuration cells = startCells(toMission(lab_), poses);
   const sylph::Experiment experiment = toExperiment(request_, lab_, cells);
-  const sylph::Experiment part = withParticipants(request_, experiment);
+  const sylph::Experiment part =
+      withParticipants(experiment, request_.goals, request_.others_give_way);
   const sylph::Mission mission = toMission(part);
   requireGoals(mission);
   startOf(mission, lab_.robots, poses, false, bystanderDistance(lab_));
@@ -72,15 +74,16 @@ int SendCommand::run() {
     saveExperiment(experiment, request_.save_path);
     std::cout << request_.save_path << " is written" << std::endl;
   }
+  const std::string headline =
+      headlineOf(request_.goals, lab_.robots.size(), request_.others_give_way);
   if (request_.plan_only) {
-    std::cout << headlineOf(request_, lab_) << std::endl;
+    std::cout << headline << std::endl;
     return showPlan(goal);
   }
   ClientOptions options;
   options.start_timeout_s = request_.wait_s;
-  return MissionClient(nh_, options, experiment, goal, headlineOf(request_, lab_)).run()
-             ? EXIT_SUCCESS
-             : EXIT_FAILURE;
+  return MissionClient(nh_, options, experiment, goal, headline).run() ? EXIT_SUCCESS
+                                                                       : EXIT_FAILURE;
 }
 
 int SendCommand::showPlan(const sylph_msgs::ExecuteMissionGoal& goal) {

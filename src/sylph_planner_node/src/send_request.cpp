@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "sylph_core/mission/goal_judge.hpp"
-#include "sylph_core/text/join.hpp"
 
 namespace sylph_planner_node {
 namespace {
@@ -38,10 +37,11 @@ std::pair<std::string, sylph::Cell> readGoal(const std::string& argument) {
 
 }  // namespace
 
-RobotGoals readGoals(const std::vector<std::string>& arguments, const sylph::Experiment& lab) {
+sylph::RobotGoals readGoals(const std::vector<std::string>& arguments,
+                            const sylph::Experiment& lab) {
   const std::vector<std::string> names = namesOf(lab);
   const sylph::GoalJudge judge(lab.grid);
-  RobotGoals goals;
+  sylph::RobotGoals goals;
   sylph::CellOwners taken;
   for (const std::string& argument : arguments) {
     const auto [robot, cell] = readGoal(argument);
@@ -62,41 +62,11 @@ RobotGoals readGoals(const std::vector<std::string>& arguments, const sylph::Exp
 
 sylph::Experiment toExperiment(const SendRequest& request, const sylph::Experiment& lab,
                                const sylph::Configuration& cells) {
-  sylph::Experiment mission = lab;
-  for (std::size_t i = 0; i < mission.robots.size(); ++i) {
-    sylph::RobotSpec& robot = mission.robots[i];
-    const auto goal = request.goals.find(robot.name);
-    robot.start = cells.at(i);
-    robot.goal = goal == request.goals.end() ? robot.start : goal->second;
-  }
+  sylph::Experiment mission = withGoals(lab, request.goals, cells);
   mission.planning.planner = request.planner.value_or(lab.planning.planner);
   mission.planning.time_limit_s = request.time_limit_s.value_or(lab.planning.time_limit_s);
   mission.seed = request.seed.value_or(lab.seed);
   return mission;
-}
-
-sylph::Experiment withParticipants(const SendRequest& request, sylph::Experiment mission) {
-  if (!request.others_give_way) {
-    mission.robots.erase(std::remove_if(mission.robots.begin(), mission.robots.end(),
-                                        [&](const sylph::RobotSpec& robot) {
-                                          return request.goals.count(robot.name) == 0;
-                                        }),
-                         mission.robots.end());
-  }
-  return mission;
-}
-
-std::string headlineOf(const SendRequest& request, const sylph::Experiment& lab) {
-  std::string text = sylph::join(request.goals, ", ", [](const auto& robot_and_goal) {
-    const auto& [robot, goal] = robot_and_goal;
-    return robot + " to " + toString(goal);
-  });
-  const std::size_t others = lab.robots.size() - request.goals.size();
-  if (others > 0) {
-    text += "; " + std::to_string(others) + (others == 1 ? " robot " : " robots ");
-    text += request.others_give_way ? "may give way" : others == 1 ? "stays" : "stay";
-  }
-  return text;
 }
 
 }  // namespace sylph_planner_node

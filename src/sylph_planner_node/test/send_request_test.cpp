@@ -26,7 +26,7 @@ SendRequest request() {
 }
 
 TEST(ReadGoalsTest, TakesRowAndColumnOfEachRobot) {
-  EXPECT_EQ((RobotGoals{{"robot_0", {2, 4}}, {"robot_2", {0, 1}}}),
+  EXPECT_EQ((sylph::RobotGoals{{"robot_0", {2, 4}}, {"robot_2", {0, 1}}}),
             readGoals({"robot_2:=0,1", "robot_0:=2,4"}, sylph::smallLab()));
 }
 
@@ -68,27 +68,6 @@ TEST(ToExperimentTest, LetsRobotsWithoutGoalStay) {
   EXPECT_EQ("pibt", mission.planning.planner);
   EXPECT_EQ(0.5, mission.planning.time_limit_s);
   EXPECT_EQ(9U, mission.seed);
-}
-
-TEST(WithParticipantsTest, GivesPartToOthersOnlyIfTheyGiveWay) {
-  const sylph::Experiment mission =
-      toExperiment(request(), sylph::smallLab(), sylph::smallStarts());
-  EXPECT_EQ(std::vector<std::string>{"robot_1"}, namesOf(withParticipants(request(), mission)));
-  SendRequest asked = request();
-  asked.others_give_way = true;
-  EXPECT_EQ((std::vector<std::string>{"robot_0", "robot_1", "robot_2"}),
-            namesOf(withParticipants(asked, mission)));
-}
-
-TEST(HeadlineOfTest, SaysWhoGoesAndWhoStays) {
-  EXPECT_EQ("robot_1 to (1,0); 2 robots stay", headlineOf(request(), sylph::smallLab()));
-  SendRequest asked = request();
-  asked.goals["robot_2"] = {0, 0};
-  EXPECT_EQ("robot_1 to (1,0), robot_2 to (0,0); 1 robot stays",
-            headlineOf(asked, sylph::smallLab()));
-  asked.others_give_way = true;
-  EXPECT_EQ("robot_1 to (1,0), robot_2 to (0,0); 1 robot may give way",
-            headlineOf(asked, sylph::smallLab()));
 }
 
 }  // namespace

@@ -29,11 +29,6 @@ sylph::Cell nearestFreeCell(const sylph::Grid& grid, const sylph::CellFrame& fra
   return nearest;
 }
 
-/// As the planner has it, which judges by the same.
-double bystanderDistance(const sylph::Experiment& lab) {
-  return lab.cell_size_m / 2.0 - startLimits(lab).room_m;
-}
-
 }  // namespace
 
 GoalDraft::GoalDraft(sylph::Experiment lab)

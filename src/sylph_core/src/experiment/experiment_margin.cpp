@@ -46,6 +46,10 @@ StartLimits startLimits(const Experiment& experiment) {
   return {factors.length_m, factors.width_m, half_m - std::max(0.0, intrusion_m)};
 }
 
+double bystanderDistance(const Experiment& lab) {
+  return lab.cell_size_m / 2.0 - startLimits(lab).room_m;
+}
+
 std::vector<Footprint> footprintsOf(const Experiment& experiment) {
   std::vector<Footprint> footprints;
   for (const RobotSpec& robot : experiment.robots) {

@@ -26,10 +26,6 @@ class Weights {
   std::shared_ptr<const sylph::Policy> policy_;
 };
 
-/// A robot without part in a mission blocks the cells to which its footprint is so near [m], >= 0:
-/// as the central node has it, which would refuse the plan.
-double bystanderDistance(const sylph::Experiment& lab);
-
 /// Reads a request, its map and the weights that its planner needs, and fills in the lab's planner
 /// and time limit where it names none.
 ///

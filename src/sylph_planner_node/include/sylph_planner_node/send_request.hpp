@@ -1,22 +1,19 @@
 #pragma once
 
 #include <cstdint>
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/mission/mission.hpp"
+#include "sylph_core/mission/robot_goals.hpp"
 
 namespace sylph_planner_node {
 
-/// Goals by the name of their robot.
-using RobotGoals = std::map<std::string, sylph::Cell>;
-
 /// What sylph_send was asked for.
 struct SendRequest {
-  RobotGoals goals;              ///< one or more
+  sylph::RobotGoals goals;       ///< one or more
   bool others_give_way = false;  ///< robots without a goal take part: to the cells they stand in
   bool replaces = false;         ///< a mission that is under way may be ended for this one
   bool plan_only = false;        ///< the plan is shown, and nothing moves
@@ -30,18 +27,12 @@ struct SendRequest {
 /// Reads arguments such as "robot_3:=4,7": the robot's name, row and column of its goal.
 /// @throws std::invalid_argument with one line if one has another form, its robot is not of the
 /// lab or is named twice, or GoalJudge refuses its goal on the lab's map
-RobotGoals readGoals(const std::vector<std::string>& arguments, const sylph::Experiment& lab);
+sylph::RobotGoals readGoals(const std::vector<std::string>& arguments,
+                            const sylph::Experiment& lab);
 
 /// The mission as an experiment, with all robots of the lab: those without a goal stay.
 /// @param cells  where the robots of the lab are, in their order
 sylph::Experiment toExperiment(const SendRequest& request, const sylph::Experiment& lab,
                                const sylph::Configuration& cells);
-
-/// Those of its robots that have part in it: all if robots without a goal give way.
-/// @param mission  of toExperiment()
-sylph::Experiment withParticipants(const SendRequest& request, sylph::Experiment mission);
-
-/// "robot_0 to (0,4), robot_2 to (1,1); 6 robots stay".
-std::string headlineOf(const SendRequest& request, const sylph::Experiment& lab);
 
 }  // namespace sylph_planner_node

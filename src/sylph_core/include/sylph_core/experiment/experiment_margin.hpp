@@ -20,6 +20,11 @@ SafetyMargin requireSafetyMargin(const Experiment& experiment);
 /// @throws std::runtime_error as requireSafetyMargin()
 StartLimits startLimits(const Experiment& experiment);
 
+/// A robot without part in a mission blocks the cells to which its footprint is so near [m], >= 0:
+/// as the central node has it, which would refuse the plan.
+/// @throws std::runtime_error as requireSafetyMargin()
+double bystanderDistance(const Experiment& lab);
+
 /// Length and width of each robot; where they are is not set.
 std::vector<Footprint> footprintsOf(const Experiment& experiment);
 
