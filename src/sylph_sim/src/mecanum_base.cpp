@@ -12,13 +12,23 @@ double rounded(double value, double resolution) {
   return resolution > 0.0 ? std::round(value / resolution) * resolution : value;
 }
 
-/// One step of a random process with mean 0, standard deviation `deviation` and memory
-/// `correlation_s` (Ornstein-Uhlenbeck, exact discretisation).
-double nextNoise(double value, double deviation, double duration_s, double correlation_s,
-                 double unit_normal) {
-  const double memory = std::exp(-duration_s / correlation_s);
-  return value * memory + deviation * std::sqrt(1.0 - memory * memory) * unit_normal;
-}
+/// One step of a random process with mean 0 and a memory of `correlation_s` (Ornstein-Uhlenbeck,
+/// exact discretisation).
+class NoiseStep {
+ public:
+  NoiseStep(double duration_s, double correlation_s)
+      : memory_(std::exp(-duration_s / correlation_s)),
+        share_(std::sqrt(1.0 - memory_ * memory_)) {}
+
+  /// The value after `value`, of a process with standard deviation `deviation`.
+  double next(double value, double deviation, double unit_normal) const {
+    return value * memory_ + deviation * share_ * unit_normal;
+  }
+
+ private:
+  double memory_;
+  double share_;  // of the deviation that is drawn anew
+};
 
 }  // namespace
 
@@ -132,12 +142,13 @@ void MecanumBase::turnWheels(const Wheels& targets, double duration_s) {
 }
 
 MecanumBase::Wheels MecanumBase::rollingSpeeds(double duration_s) {
+  const NoiseStep noise(duration_s, options_.noise_correlation_s);
   Wheels rolling{};
   for (std::size_t wheel = 0; wheel < rolling.size(); ++wheel) {
-    speed_noise_[wheel] = nextNoise(speed_noise_[wheel], options_.speed_noise, duration_s,
-                                    options_.noise_correlation_s, sylph::drawNormal(rng_));
-    slip_noise_[wheel] = nextNoise(slip_noise_[wheel], options_.slip_noise, duration_s,
-                                   options_.noise_correlation_s, sylph::drawNormal(rng_));
+    speed_noise_[wheel] =
+        noise.next(speed_noise_[wheel], options_.speed_noise, sylph::drawNormal(rng_));
+    slip_noise_[wheel] =
+        noise.next(slip_noise_[wheel], options_.slip_noise, sylph::drawNormal(rng_));
     const double slip = std::clamp(options_.slip + slip_noise_[wheel], 0.0, 1.0);
     rolling[wheel] =
         wheels_radps_[wheel] * gains_[wheel] * (1.0 + speed_noise_[wheel]) * (1.0 - slip);
