@@ -64,7 +64,7 @@ class ReplayTest(unittest.TestCase):
         small_run.write_bag(self.bag)
         before = {topic for topic, _ in rospy.get_published_topics()}
         played = self.topics_while_playing(ROS_NAMESPACE="replay") - before
-        self.assertLessEqual({"/replay/robot_0/pose", "/replay/sylph/adg_state", "/replay/clock"}, played)
+        self.assertLessEqual({"/replay/robot_0/pose", "/replay/sylph/adg_state", "/replay/clock", "/replay/diagnostics"}, played)
         self.assertEqual([topic for topic in played if not topic.startswith("/replay/")], [])
 
     def assert_refused(self, reason, *options):

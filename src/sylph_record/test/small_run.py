@@ -5,6 +5,7 @@ import os
 
 import rosbag
 import rospy
+from diagnostic_msgs.msg import DiagnosticArray
 from geometry_msgs.msg import PoseStamped, Twist
 from nav_msgs.msg import OccupancyGrid
 from sylph_msgs.msg import (
@@ -76,6 +77,7 @@ def write_bag(path, leave_out=(), compression="none"):
         write("/sylph/joint_actions", JointActions(), SECONDS)
         for tick in range(10 * SECONDS):
             time_s = 0.1 * tick
+            write("/diagnostics", DiagnosticArray(), time_s)
             write("/sylph/adg_state", adg_state(time_s), time_s)
             gap = SeparationState(separation_m=0.1 + 0.01 * (tick % 5), limit_m=0.03)
             write("/sylph/separation", gap, time_s)
