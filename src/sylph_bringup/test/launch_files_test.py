@@ -5,9 +5,11 @@ import itertools
 import os
 import subprocess
 import tempfile
+import time
 import unittest
 import xml.etree.ElementTree
 
+import rosgraph
 import roslaunch.config
 import roslaunch.core
 import roslaunch.xmlloader
@@ -17,6 +19,8 @@ import rosunit
 PACKAGE = "sylph_bringup"
 ROOT = roslib.packages.get_pkg_dir(PACKAGE)
 LAB = os.path.join(ROOT, "launch", "lab_experiment.launch")
+REPLAY = os.path.join(ROOT, "launch", "replay.launch")
+DEADLINE_S = 30.0
 SIMULATION = {"sylph_sim"}
 ALWAYS = {
     "mocap_bridge",
@@ -99,7 +103,7 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertEqual(chosen["exit_when_done"], exits)
 
     def test_no_display_or_recorder_ends_the_rest(self):
-        for path in [LAB, os.path.join(ROOT, "launch", "replay.launch")]:
+        for path in [LAB, REPLAY]:
             for node in load(path, bag=self.write("run.bag")).nodes:
                 if node.name in ("rviz", "record_run", "sylph_markers"):
                     self.assertFalse(node.required, node.name)
@@ -166,13 +170,63 @@ class LaunchFilesTest(unittest.TestCase):
         for path in launch_files():
             arguments = {"bag": bag} if path.endswith("replay.launch") else {"robot": "cf1"}
             config = load(path, ns="lab", **arguments)
-            self.assertTrue(config.nodes)
-            for name in [node.namespace for node in config.nodes] + list(config.params):
-                self.assertTrue(name.startswith("/lab/"), "{}: {}".format(path, name))
+            self.assert_all_names_below("/lab/", config)
             os.environ["ROS_NAMESPACE"] = "lab"
             self.addCleanup(os.environ.pop, "ROS_NAMESPACE", None)
-            self.assertEqual(sorted(config.params), sorted(load(path, **arguments).params))
+            there = load(path, **arguments)
+            if path == REPLAY:
+                self.assert_all_names_below("/lab/replay/", there)
+            else:
+                self.assertEqual(sorted(config.params), sorted(there.params))
             del os.environ["ROS_NAMESPACE"]
+
+    def assert_all_names_below(self, namespace, config):
+        self.assertTrue(config.nodes)
+        for name in [node.namespace for node in config.nodes] + list(config.params):
+            self.assertTrue(name.startswith(namespace), name)
+
+    def test_a_replay_has_all_its_names_apart_from_a_labs(self):
+        self.assert_all_names_below("/replay/", load(REPLAY, bag=self.write("run.bag")))
+
+    def start_node(self, name, namespace):
+        """A node that speaks on one topic as a robot does and stays until it is killed."""
+        topic = "from rospy import *; init_node('{}'); _ = Publisher('task_report', AnyMsg, queue_size=1); spin()"
+        process = subprocess.Popen(["python3", "-c", topic.format(name)], env=dict(os.environ, ROS_NAMESPACE=namespace))
+        self.addCleanup(process.wait)
+        self.addCleanup(process.kill)
+        deadline = time.monotonic() + DEADLINE_S
+        while f"/{namespace}/{name}/get_loggers" not in [service for service, _ in rosgraph.Master("t").getSystemState()[2]]:
+            self.assertLess(time.monotonic(), deadline)
+            time.sleep(0.05)
+        return process
+
+    def test_a_launch_leaves_alone_what_is_alive_in_its_namespace(self):
+        master = rosgraph.Master("launch_files_test")
+        master.setParam("/a/lab/sylph/experiment", "/the/live/lab.yaml")
+        self.addCleanup(master.deleteParam, "/a")
+        bag = self.write("run.bag")
+        ways = ((["ns:=/a/lab"], {"ROS_NAMESPACE": "b"}), (["ns:=lab"], {"ROS_NAMESPACE": "/a/"}), (["ns:=lab", "__ns:=a"], {}))
+        for kind, node, namespace in (("lab", "sylph_adg_central", "a/lab/sylph"), ("replay", "replay_run", "a/lab")):
+            process = self.start_node(node, namespace)
+            for path, (arguments, environment) in itertools.product([LAB, REPLAY], ways):
+                before = master.getParam("/")
+                result = subprocess.run(["roslaunch", path, f"bag:={bag}", "rviz:=false", *arguments], text=True, check=False,
+                                        capture_output=True, env=dict(os.environ, **environment), timeout=DEADLINE_S)  # fmt: skip
+                self.assertNotEqual(0, result.returncode)
+                self.assertIn(f"a {kind} is alive in the namespace /a/lab/ of this ROS master (node /{namespace}/{node})",
+                              result.stderr)  # fmt: skip
+                self.assertEqual(before, master.getParam("/"))
+            self.assertTrue(load(REPLAY, bag=bag, ns="a").nodes, "there is room elsewhere")
+            process.kill()  # the master goes on naming it
+            process.wait()
+            for path in (LAB, REPLAY):
+                self.assertTrue(load(path, bag=bag, ns="a/lab").nodes)
+
+    def test_robots_may_wait_for_their_lab_but_hear_no_replay(self):
+        self.start_node("sylph_robot", "c/cf1")
+        self.assertTrue(load(LAB, ns="c").nodes)
+        with self.assertRaises(roslaunch.core.RLException):
+            load(REPLAY, bag=self.write("run.bag"), ns="c")
 
     def test_a_robot_takes_the_labs_experiment_or_a_copy(self):
         robot = os.path.join(ROOT, "launch", "robot.launch")

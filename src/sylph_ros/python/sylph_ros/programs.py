@@ -7,6 +7,8 @@ import roslib.packages
 
 # What ROS calls by a global name and each fleet has for itself, as sylph_ros::initNode() has it.
 PER_FLEET = ("/clock", "/use_sim_time", "/tf", "/tf_static")
+# Regular expression of the topics, below the fleet's namespace, that only a live system has.
+LIVE_TOPIC = "[^/]+/(cmd_vel|task|task_report)"
 
 
 def fail(message):
