@@ -3,6 +3,8 @@
 import glob
 import itertools
 import os
+import resource
+import shutil
 import subprocess
 import tempfile
 import time
@@ -20,6 +22,7 @@ PACKAGE = "sylph_bringup"
 ROOT = roslib.packages.get_pkg_dir(PACKAGE)
 LAB = os.path.join(ROOT, "launch", "lab_experiment.launch")
 REPLAY = os.path.join(ROOT, "launch", "replay.launch")
+USER_PATH = roslib.packages.find_node(PACKAGE, "user_path")[0]
 DEADLINE_S = 30.0
 SIMULATION = {"sylph_sim"}
 ALWAYS = {
@@ -140,7 +143,7 @@ class LaunchFilesTest(unittest.TestCase):
     def test_refuses_the_folder_of_a_run_that_is_over(self):
         folder = os.path.join(self.folder, "run")
         os.mkdir(folder)
-        command = [roslib.packages.find_node(PACKAGE, "user_path")[0], "folder", folder]
+        command = [USER_PATH, "folder", folder, "lab_maze"]
         self.assertEqual(0, subprocess.run(command, capture_output=True, check=False).returncode)
         for name, text in (("result.yaml", "success: true"), ("events.jsonl", '{"phase": "finished"}\n')):
             with open(os.path.join(folder, name), "w", encoding="utf-8") as stream:
@@ -154,8 +157,57 @@ class LaunchFilesTest(unittest.TestCase):
             stream.write('{"phase": "finished"}\n{"phase": "executing"}\n')
         self.assertEqual(0, subprocess.run(command, capture_output=True, check=False).returncode, "a run to resume")
 
+    def assert_folder_refused(self, folder, reason, **how):
+        """By user_path, and by roslaunch before any node starts. Paths count from the test's folder."""
+        result = subprocess.run([USER_PATH, "folder", folder, "lab_room"], capture_output=True, text=True, check=False, **how)
+        self.assertEqual((2, ""), (result.returncode, result.stdout))
+        self.assertEqual("user_path: run folder {}: {}\n".format(os.path.abspath(folder), reason), result.stderr)
+        if not how:
+            with self.assertRaises(roslaunch.core.RLException):
+                load(LAB, experiment="lab_room", run_folder=folder)
+
+    def test_refuses_the_folder_of_an_unfinished_run_of_another_experiment(self):
+        os.mkdir("run")
+        shutil.copy(os.path.join(ROOT, "maps", "lab_maze.yaml"), "run/experiment.yaml")
+        with open("run/events.jsonl", "w", encoding="utf-8") as stream:
+            stream.write('{"phase": "executing"}\n')
+        self.assertTrue(load(LAB, experiment="lab_maze", run_folder="run").nodes)
+        self.assert_folder_refused("run", "holds a run of another experiment; name one that does not exist yet, or none")
+
+    def test_refuses_a_folder_whose_event_log_the_central_node_could_not_go_on_from(self):
+        os.mkdir("run")
+        executing = '{"phase": "executing"}\n'
+        for log, reason in (
+            (executing + "null\n" + executing, "that cannot go on: events.jsonl:2 is no event"),
+            ('{"event": "mode"}\n', "that is over"),
+            (executing + '{"phase": "refused"}\n', "that is over"),
+        ):
+            with open("run/events.jsonl", "w", encoding="utf-8") as stream:
+                stream.write(log)
+            self.assert_folder_refused("run", f"holds a run {reason}; name one that does not exist yet, or none")
+        with open("run/events.jsonl", "w", encoding="utf-8") as stream:
+            stream.write(executing + '{"phase": "fini')
+        self.assertTrue(load(LAB, run_folder="run").nodes, "a line that was cut off")
+
+    def test_refuses_a_folder_that_cannot_be_made_or_written(self):
+        name_another = "; name one that can, with run_folder:=FOLDER"
+        self.write("file")
+        self.assert_folder_refused("file/run", "cannot be written: Not a directory" + name_another)
+        os.makedirs("run/events.jsonl")
+        self.assert_folder_refused("run", "cannot be written: Is a directory" + name_another)
+        limit = (resource.RLIMIT_FSIZE, (1000, 1000))  # as good as a full disk
+        self.assert_folder_refused("full/run", "cannot be written: File too large" + name_another,
+                                   preexec_fn=lambda: resource.setrlimit(*limit))  # fmt: skip
+        self.assertEqual(["file", "run"], sorted(os.listdir(".")), "nothing is left behind")
+        os.environ["ROS_HOME"], home = "file", os.environ.get("ROS_HOME")
+        try:
+            with self.assertRaises(roslaunch.core.RLException):
+                load(LAB)
+        finally:
+            os.environ["ROS_HOME"] = home or os.path.expanduser("~/.ros")
+
     def test_refuses_an_experiment_that_is_neither_file_nor_name(self):
-        command = [roslib.packages.find_node(PACKAGE, "user_path")[0], "experiment", "lab_mase"]
+        command = [USER_PATH, "experiment", "lab_mase"]
         result = subprocess.run(command, capture_output=True, text=True, check=False)
         self.assertEqual(2, result.returncode)
         self.assertEqual("user_path: no experiment 'lab_mase': give a file, or one of lab_maze, lab_random, lab_room\n",
