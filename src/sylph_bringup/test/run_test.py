@@ -1,0 +1,93 @@
+#!/usr/bin/env python3
+"""./run, with stand-ins for what it installs, builds and launches."""
+import os
+import shutil
+import subprocess
+import tempfile
+import unittest
+
+import roslib.packages
+import rosunit
+
+PACKAGE = "sylph_bringup"
+PACKAGE_ROOT = roslib.packages.get_pkg_dir(PACKAGE)
+ROOT = os.path.dirname(os.path.dirname(os.path.realpath(PACKAGE_ROOT)))
+FILES = {
+    "scripts/environment.sh": """
+        die() { echo "run: $*" >&2; exit 2; }
+        install_packages() { :; }
+        build() { :; }
+    """,
+    "devel/setup.bash": 'PATH=$PWD/devel:$PATH\n',
+    # Keeps its arguments and leaves a run folder as $LEAVE says.
+    "devel/roslaunch": """#!/usr/bin/env bash
+        printf '%s\\n' "$@" > arguments
+        for argument in "$@"; do declare "${argument%%:=*}=${argument#*:=}" 2> /dev/null; done
+        eval "$LEAVE"
+        echo 0 > "$mission_status"
+    """,
+}
+
+
+class RunTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.root = os.path.join(os.path.realpath(folder.name), "suite")
+        self.caller = os.path.join(os.path.realpath(folder.name), "a user's")
+        os.mkdir(self.caller)
+        for name, text in FILES.items():
+            path = os.path.join(self.root, name)
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            with open(path, "w", encoding="utf-8") as file:
+                file.write(text)
+        os.chmod(os.path.join(self.root, "devel", "roslaunch"), 0o755)
+        os.mkdir(os.path.join(self.root, "src"))
+        os.symlink(PACKAGE_ROOT, os.path.join(self.root, "src", PACKAGE))
+        os.symlink(os.path.join(PACKAGE_ROOT, "launch"), os.path.join(self.root, "launch"))
+        shutil.copy(os.path.join(ROOT, "run"), self.root)
+
+    def run_it(self, *arguments, leave=":"):
+        environment = dict(os.environ, LEAVE=leave, HOME=self.caller, ROS_HOME=self.caller)
+        environment.pop("DISPLAY", None)
+        return subprocess.run([os.path.join(self.root, "run"), *arguments], cwd=self.caller, env=environment,
+                              capture_output=True, text=True, check=False)  # fmt: skip
+
+    def launched(self):
+        """The arguments that roslaunch got: name -> value."""
+        with open(os.path.join(self.root, "arguments"), encoding="utf-8") as file:
+            return dict(line.split(":=", 1) for line in file.read().splitlines() if ":=" in line)
+
+    def folder_to_resume(self):
+        """A run folder with the result that was written when the run was broken off."""
+        folder = os.path.join(self.caller, "old")
+        os.mkdir(folder)
+        for name, text in (("result.yaml", "success: true\n"), ("events.jsonl", '{"phase": "executing"}\n')):
+            with open(os.path.join(folder, name), "w", encoding="utf-8") as file:
+                file.write(text)
+        return folder
+
+    def test_prints_the_result_and_exits_with_it(self):
+        for success, status in (("true", 0), ("false", 1)):
+            ran = self.run_it(f"run_folder:={success}", leave=f'mkdir "$run_folder"; echo success: {success} > "$run_folder/result.yaml"')
+            self.assertEqual(status, ran.returncode, ran.stderr)
+            self.assertIn(f"result: {self.caller}/{success}/result.yaml\nsuccess: {success}\n", ran.stdout)
+
+    def test_takes_no_older_result_for_this_runs(self):
+        folder = self.folder_to_resume()
+        ran = self.run_it("run_folder:=old")
+        self.assertEqual((1, f"run: no result was written to {folder}/result.yaml\n"), (ran.returncode, ran.stderr))
+        self.assertNotIn("success", ran.stdout)
+
+    def test_refuses_a_bad_run_folder_before_it_builds(self):
+        folder = self.folder_to_resume()
+        with open(os.path.join(folder, "experiment.yaml"), "w", encoding="utf-8") as file:
+            file.write("robots: []\n")
+        ran = self.run_it("run_folder:=old")
+        self.assertEqual(2, ran.returncode)
+        self.assertIn(f"run folder {folder}: holds a run of another experiment", ran.stderr)
+        self.assertNotIn("building", ran.stdout)
+
+
+if __name__ == "__main__":
+    rosunit.unitrun(PACKAGE, "run", RunTest)
