@@ -77,12 +77,15 @@ class RunDataTest(unittest.TestCase):
             self.assertEqual(set(self.run_data.robots[name].tracking_error_m), {error_m})
 
     def test_knows_the_map_and_where_robots_were(self):
-        self.assertEqual(self.run_data.obstacles, [[False] * 4] * 2)
-        time_s, row, column, _ = figures.cells_of(self.run_data, self.run_data.robots["robot_1"])
-        self.assertAlmostEqual(time_s[0], 0.0)
-        for values, expected in ((row, (1.0, 1.0)), (column, (0.0, 3.0))):
-            self.assertAlmostEqual(values[0], expected[0])
-            self.assertAlmostEqual(values[-1], expected[1])
+        for corner_m in ((0.0, 0.0), (-10.0, 5.0)):
+            small_run.write_bag(os.path.join(self.folder.name, "run.bag"), corner_m=corner_m)
+            run = run_data.load(self.folder.name)
+            self.assertEqual(run.obstacles, [[False] * 4] * 2)
+            time_s, row, column, _ = figures.cells_of(run, run.robots["robot_1"])
+            self.assertAlmostEqual(time_s[0], 0.0)
+            for values, expected in ((row, (1.0, 1.0)), (column, (0.0, 3.0))):
+                self.assertAlmostEqual(values[0], expected[0])
+                self.assertAlmostEqual(values[-1], expected[1])
 
     def test_names_robots_by_what_tells_them_apart(self):
         self.assertEqual(figures.short_names(["robot_1", "robot_10"]), {"robot_1": "1", "robot_10": "10"})

@@ -50,17 +50,17 @@ def joint_actions():
     return JointActions(plan_id=1, agents=ROBOTS, steps=[step] * 3)
 
 
-def pose(index, time_s):
+def pose(index, time_s, corner_m=(0.0, 0.0)):
     message = PoseStamped()
     message.header.frame_id = "map"
-    message.pose.position.x = 0.15 + 0.3 * min(3.0, time_s)
-    message.pose.position.y = 0.45 - 0.3 * index
+    message.pose.position.x = corner_m[0] + 0.15 + 0.3 * min(3.0, time_s)
+    message.pose.position.y = corner_m[1] + 0.45 - 0.3 * index
     message.pose.orientation.w = 1.0
     return message
 
 
-def write_bag(path, leave_out=(), compression="none"):
-    """Writes the run's bag. Topics in `leave_out` are missing."""
+def write_bag(path, leave_out=(), compression="none", corner_m=(0.0, 0.0)):
+    """Writes the run's bag. Topics in `leave_out` are missing; the map's lower left corner is at `corner_m`."""
     with rosbag.Bag(path, "w", compression, chunk_threshold=4096) as bag:
 
         def write(topic, message, time_s, is_latched=False):
@@ -72,6 +72,7 @@ def write_bag(path, leave_out=(), compression="none"):
 
         grid = OccupancyGrid(data=[0] * 8)
         grid.info.width, grid.info.height, grid.info.resolution = 4, 2, 0.3
+        grid.info.origin.position.x, grid.info.origin.position.y = corner_m
         write("/map", grid, 0.0, is_latched=True)
         write("/sylph/joint_actions", joint_actions(), 0.0)
         write("/sylph/joint_actions", JointActions(), SECONDS)
@@ -82,8 +83,9 @@ def write_bag(path, leave_out=(), compression="none"):
             gap = SeparationState(separation_m=0.1 + 0.01 * (tick % 5), limit_m=0.03)
             write("/sylph/separation", gap, time_s)
             for index, name in enumerate(ROBOTS):
-                write(f"/{name}/pose", pose(index, time_s), time_s)
-                place = pose(index, time_s).pose.position
+                at = pose(index, time_s, corner_m)
+                write(f"/{name}/pose", at, time_s)
+                place = at.pose.position
                 report = TaskReport(robot_id=name, x=place.x, y=place.y, tracking_error_m=0.002 * (index + 1))
                 write(f"/{name}/task_report", report, time_s)
                 write(f"/{name}/task", Task(robot_id=name), time_s)

@@ -116,7 +116,8 @@ def cells_of(run, robot):
     times = np.array(robot.error_time_s)
     known = np.isfinite(poses[:, 0])
     x, y, yaw = poses[known].T
-    path = np.array([times[known], len(run.obstacles) - 0.5 - y / run.cell_size_m, x / run.cell_size_m - 0.5, yaw])
+    columns, rows_up = ((at - corner) / run.cell_size_m for at, corner in zip((x, y), run.corner_m))
+    path = np.array([times[known], len(run.obstacles) - 0.5 - rows_up, columns - 0.5, yaw])
     if robot.start_cell and path.size:  # a recorder can be late for the first reports
         path = np.hstack([[[0.0], [robot.start_cell[0]], [robot.start_cell[1]], [path[3, 0]]], path])
     return path

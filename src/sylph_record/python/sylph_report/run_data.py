@@ -67,6 +67,7 @@ class Run:
     separation: list = field(default_factory=list)  # (time_s, gap_m)
     separation_limit_m: float = 0.0
     obstacles: list = field(default_factory=list)  # rows of cells from the bag's map, the first is the northern one
+    corner_m: tuple = (0.0, 0.0)  # x, y of the map's lower left corner in frame `map`
     footprint_m: tuple = FOOTPRINT_M
     truth: dict = field(default_factory=dict)  # ground truth of a simulation
     result: dict = field(default_factory=dict)
@@ -241,6 +242,8 @@ class _RunReader:
             rows = [message.data[row * width : (row + 1) * width] for row in range(message.info.height)]
             self._run.obstacles = [[cell != 0 for cell in row] for row in reversed(rows)]
             self._run.cell_size_m = round(message.info.resolution, 6)  # a float32
+            corner = message.info.origin.position
+            self._run.corner_m = (corner.x, corner.y)
         elif topic == TRUTH:
             self._run.truth = {
                 "true smallest gap [m]": message.min_separation_m,
