@@ -240,14 +240,14 @@ class LaunchFilesTest(unittest.TestCase):
     def test_a_replay_has_all_its_names_apart_from_a_labs(self):
         self.assert_all_names_below("/replay/", load(REPLAY, bag=self.write("run.bag")))
 
-    def start_node(self, name, namespace):
-        """A node that speaks on one topic as a robot does and stays until it is killed."""
-        topic = "from rospy import *; init_node('{}'); _ = Publisher('task_report', AnyMsg, queue_size=1); spin()"
-        process = subprocess.Popen(["python3", "-c", topic.format(name)], env=dict(os.environ, ROS_NAMESPACE=namespace))
+    def start_node(self, name, namespace, topic="said"):
+        """A node that speaks on one topic and stays until it is killed."""
+        program = f"from rospy import *; init_node('{name}'); _ = Publisher('{topic}', AnyMsg, queue_size=1); spin()"
+        process = subprocess.Popen(["python3", "-c", program], env=dict(os.environ, ROS_NAMESPACE=namespace))
         self.addCleanup(process.wait)
         self.addCleanup(process.kill)
         deadline = time.monotonic() + DEADLINE_S
-        while f"/{namespace}/{name}/get_loggers" not in [service for service, _ in rosgraph.Master("t").getSystemState()[2]]:
+        while f"/{namespace}/{topic}" not in [published for published, _ in rosgraph.Master("t").getSystemState()[0]]:
             self.assertLess(time.monotonic(), deadline)
             time.sleep(0.05)
         return process
@@ -275,7 +275,7 @@ class LaunchFilesTest(unittest.TestCase):
                 self.assertTrue(load(path, bag=bag, ns="a/lab").nodes)
 
     def test_robots_may_wait_for_their_lab_but_hear_no_replay(self):
-        self.start_node("sylph_robot", "c/cf1")
+        self.start_node("sylph_robot", "c/cf1", "task_report")
         self.assertTrue(load(LAB, ns="c").nodes)
         with self.assertRaises(roslaunch.core.RLException):
             load(REPLAY, bag=self.write("run.bag"), ns="c")
