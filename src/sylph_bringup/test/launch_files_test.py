@@ -93,10 +93,12 @@ class LaunchFilesTest(unittest.TestCase):
             for argument in arguments_of(path):
                 self.assertTrue(argument.get("doc"), "{}: {}".format(path, argument.get("name")))
 
-    def test_every_combination_of_switches_starts_the_right_nodes(self):
+    def test_each_switch_starts_its_nodes_among_all_others_and_alone(self):
         switches = {"sim": SIMULATION, "rviz": {"rviz"}, "record": {"record_run"}, "local_robots": {"start_robots"},
                     "exit_when_done": set()}  # fmt: skip
         for values in itertools.product([True, False], repeat=len(switches)):
+            if 1 < sum(values) < len(switches) - 1:
+                continue
             chosen = dict(zip(switches, values))
             with self.subTest(**chosen):
                 config = load(LAB, **{name: str(value).lower() for name, value in chosen.items()})
@@ -260,7 +262,7 @@ class LaunchFilesTest(unittest.TestCase):
         ways = ((["ns:=/a/lab"], {"ROS_NAMESPACE": "b"}), (["ns:=lab"], {"ROS_NAMESPACE": "/a/"}), (["ns:=lab", "__ns:=a"], {}))
         for kind, node, namespace in (("lab", "sylph_adg_central", "a/lab/sylph"), ("replay", "replay_run", "a/lab")):
             process = self.start_node(node, namespace)
-            for path, (arguments, environment) in itertools.product([LAB, REPLAY], ways):
+            for path, (arguments, environment) in itertools.product([LAB, REPLAY], ways if kind == "lab" else ways[:1]):
                 before = master.getParam("/")
                 result = subprocess.run(["roslaunch", path, f"bag:={bag}", "rviz:=false", *arguments], text=True, check=False,
                                         capture_output=True, env=dict(os.environ, **environment), timeout=DEADLINE_S)  # fmt: skip
