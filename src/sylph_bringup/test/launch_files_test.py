@@ -131,16 +131,44 @@ class LaunchFilesTest(unittest.TestCase):
             self.assertEqual(weights, value_of(config, "/sylph/weights"))
             self.assertEqual(os.path.join(self.folder, "r"), value_of(config, "/sylph/run_folder"))
 
+    def test_so_do_paths_of_configurations_and_of_what_is_written(self):
+        for name in ("mocap.yaml", "sim.yaml"):
+            with open(self.write(name), "w", encoding="utf-8") as stream:
+                stream.write("mark: " + name)
+        rviz, bag = self.write("my.rviz"), self.write("my.bag")
+        os.environ["HOME"] = self.folder
+        for start in ("", "./", "~/", self.folder + "/"):
+            config = load(LAB, mocap_config=start + "mocap.yaml", sim_config=start + "sim.yaml", mission_status=start + "s")
+            self.assertEqual("mocap.yaml", value_of(config, "/sylph/mocap_bridge/mark"))
+            self.assertEqual("sim.yaml", value_of(config, "/sylph/sylph_sim/mark"))
+            self.assertEqual(os.path.join(self.folder, "s"), value_of(config, "/sylph/mission_status"))
+            replay = load(REPLAY, bag=start + "my.bag", rviz_config=start + "my.rviz")
+            self.assertEqual(rviz, value_of(replay, "/replay/rviz/config"))
+            self.assertEqual(bag, value_of(replay, "/replay/replay_run/bag"))
+        for name in ("mocap_config", "sim_config", "weights", "experiment"):
+            with self.assertRaises(roslaunch.core.RLException):
+                load(LAB, **{name: "nowhere/f"})
+        with self.assertRaises(roslaunch.core.RLException):
+            load(LAB, mission_status="nowhere/f")
+        with self.assertRaises(roslaunch.core.RLException):
+            load(REPLAY, bag=bag, rviz_config="nowhere")
+
     def test_the_missions_exit_status_is_kept(self):
         status = os.path.join(self.folder, "the status")
         program = roslib.packages.find_node(PACKAGE, "keep_exit_status")[0]
+        master = rosgraph.Master("launch_files_test")
+        master.setParam("/status_file", status)
+        master.setParam("/no_file", "")
         for command, expected in ((["sh", "-c", "exit 3"], 3), (["true"], 0), (["sh", "-c", "kill -9 $$"], 137)):
-            self.assertEqual(expected, subprocess.run([program, status] + command, check=False).returncode)
+            self.assertEqual(expected, subprocess.run([program, "status_file"] + command, check=False).returncode)
             with open(status, encoding="utf-8") as stream:
                 self.assertEqual(str(expected), stream.read().strip())
-        self.assertEqual(3, subprocess.run([program, "", "sh", "-c", "exit 3"], check=False).returncode)
-        mission = [node for node in load(LAB, mission_status=status).nodes if node.name == "sylph_mission"]
-        self.assertIn("keep_exit_status '{}'".format(status), mission[0].launch_prefix)
+        for name in ("no_file", "not_set"):
+            self.assertEqual(3, subprocess.run([program, name, "sh", "-c", "exit 3"], check=False).returncode)
+        config = load(LAB, mission_status=status)
+        self.assertEqual(status, value_of(config, "/sylph/mission_status"))
+        mission = [node for node in config.nodes if node.name == "sylph_mission"]
+        self.assertIn("keep_exit_status mission_status", mission[0].launch_prefix)
 
     def test_refuses_the_folder_of_a_run_that_is_over(self):
         folder = os.path.join(self.folder, "run")

@@ -79,6 +79,20 @@ class RunTest(unittest.TestCase):
         self.assertEqual((1, f"run: no result was written to {folder}/result.yaml\n"), (ran.returncode, ran.stderr))
         self.assertNotIn("success", ran.stdout)
 
+    def test_paths_count_from_where_the_user_stands(self):
+        for name in ("lab.yaml", "w.safetensors", "mocap.yaml", "sim.yaml"):
+            with open(os.path.join(self.caller, name), "w", encoding="utf-8"):
+                pass
+        paths = {"experiment": "lab.yaml", "weights": "w.safetensors", "mocap_config": "mocap.yaml", "sim_config": "sim.yaml",
+                 "run_folder": "r", "mission_status": "status"}  # fmt: skip
+        for start in ("", "./", "~/", self.caller + "/"):
+            ran = self.run_it(*(f"{name}:={start}{path}" for name, path in paths.items()))
+            launched = self.launched()
+            self.assertEqual({name: os.path.join(self.caller, path) for name, path in paths.items()},
+                             {name: launched.get(name) for name in paths}, ran.stderr)  # fmt: skip
+        for name in ("weights", "mocap_config", "sim_config"):
+            self.assertIn(f"{self.caller}/no: no such file", self.run_it(f"{name}:=no").stderr)
+
     def test_refuses_a_bad_run_folder_before_it_builds(self):
         folder = self.folder_to_resume()
         with open(os.path.join(folder, "experiment.yaml"), "w", encoding="utf-8") as file:
