@@ -299,6 +299,9 @@ class LaunchFilesTest(unittest.TestCase):
                               result.stderr)  # fmt: skip
                 self.assertEqual(before, master.getParam("/"))
             self.assertTrue(load(REPLAY, bag=bag, ns="a").nodes, "there is room elsewhere")
+            other_master = ["--nodes", REPLAY, f"bag:={bag}", "ns:=/a/lab"]
+            for option in (["-p", "1"], ["--port=1"]):
+                subprocess.run(["roslaunch", *option, *other_master], check=True, timeout=DEADLINE_S)
             process.kill()  # the master goes on naming it
             process.wait()
             for path in (LAB, REPLAY):
