@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sylph_core/control/footprint.hpp"
+#include "sylph_core/geometry/footprint.hpp"
 
 namespace sylph {
 namespace {

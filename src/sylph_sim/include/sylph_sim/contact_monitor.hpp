@@ -6,7 +6,7 @@
 #include <utility>
 #include <vector>
 
-#include "sylph_core/control/footprint.hpp"
+#include "sylph_core/geometry/footprint.hpp"
 
 namespace sylph_sim {
 

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
-#include "sylph_core/control/footprint.hpp"
 #include "sylph_core/geometry/circle_grid.hpp"
+#include "sylph_core/geometry/footprint.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
 
 namespace sylph {

@@ -3,10 +3,10 @@
 #include <vector>
 
 #include "sylph_core/adg/execution_limits.hpp"
-#include "sylph_core/control/footprint.hpp"
 #include "sylph_core/control/safety_margin.hpp"
 #include "sylph_core/control/separation.hpp"
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/geometry/footprint.hpp"
 
 namespace sylph {
 

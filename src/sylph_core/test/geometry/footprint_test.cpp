@@ -1,4 +1,4 @@
-#include "sylph_core/control/footprint.hpp"
+#include "sylph_core/geometry/footprint.hpp"
 
 #include <gtest/gtest.h>
 
