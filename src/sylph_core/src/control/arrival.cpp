@@ -27,6 +27,16 @@ bool isAtEnd(const DrivePath& path, int leg, const Point& here, const ArrivalOpt
   return !leads_back && has_passed && distanceToLeg(next, here) <= options.tracking_error_m;
 }
 
+/// Where a robot comes to rest if it brakes now.
+Point restOf(const Point& here, const Vector2& velocity_map, const ArrivalOptions& options) {
+  const double braking_s = norm(velocity_map) / (2.0 * options.acceleration_limit_mps2);
+  return {here.x + braking_s * velocity_map.x, here.y + braking_s * velocity_map.y};
+}
+
+bool isTurned(const Pose2d& measured, double heading_rad, const ArrivalOptions& options) {
+  return std::abs(shortestAngle(measured.yaw_rad, heading_rad)) > options.heading_tolerance_rad;
+}
+
 }  // namespace
 
 double distanceToRest(const DrivePath& path, int first, const Point& point) {
@@ -44,16 +54,19 @@ double distanceToRest(const DrivePath& path, int first, const Point& point) {
 bool hasArrived(const DrivePath& path, int leg, const Pose2d& measured, const Vector2& velocity_map,
                 double heading_rad, const ArrivalOptions& options) {
   const Point here = position(measured);
-  if (!isAtEnd(path, leg, here, options) ||
-      std::abs(shortestAngle(measured.yaw_rad, heading_rad)) > options.heading_tolerance_rad) {
-    return false;
-  }
-  const double speed_mps = norm(velocity_map);
   // A robot that comes in too fast to rest near the path has not arrived, or its cell would be
   // given away while it slides on.
-  const double braking_s = speed_mps / (2.0 * options.acceleration_limit_mps2);
-  const Point rest{here.x + braking_s * velocity_map.x, here.y + braking_s * velocity_map.y};
-  return distanceToRest(path, leg + 1, rest) <= options.tracking_error_m;
+  return isAtEnd(path, leg, here, options) && !isTurned(measured, heading_rad, options) &&
+         distanceToRest(path, leg + 1, restOf(here, velocity_map, options)) <=
+             options.tracking_error_m;
+}
+
+bool isAtRestIn(const Point& point, const Pose2d& measured, const Vector2& velocity_map,
+                double heading_rad, const ArrivalOptions& options) {
+  const Point here = position(measured);
+  return !isTurned(measured, heading_rad, options) &&
+         distance(point, here) <= options.position_tolerance_m &&
+         distance(point, restOf(here, velocity_map, options)) <= options.position_tolerance_m;
 }
 
 }  // namespace sylph

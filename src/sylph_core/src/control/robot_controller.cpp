@@ -57,6 +57,7 @@ void RobotController::followTasks() {
   const bool has_only_done = follower_.path().legCount() == 0 && first_task_ < tasks_.done();
   const bool starts_anew = followed_plan_ != tasks_.planId() || has_only_done;
   if (starts_anew) {
+    alignment_.reset();
     followed_plan_ = tasks_.planId();
     first_task_ = tasks_.done();
     arrival_poses_ = 0;
@@ -70,7 +71,7 @@ void RobotController::followTasks() {
 
 PoseVerdict RobotController::onPose(const TimedPose& pose) {
   const std::optional<TimedPose> before = watch_.last();
-  if (followed_plan_ == 0 && !central_.has_tasks_to_come) {
+  if (!isDriven() && !central_.has_tasks_to_come) {
     watch_.confirm();  // it has not driven and is not about to: it was put there
   }
   const std::optional<TimedPose> seen = watch_.seen();
@@ -104,7 +105,7 @@ Pose2d RobotController::drivenUntil(const TimedPose& pose) const {
 void RobotController::watchMotion(const TimedPose& before, const TimedPose& now,
                                   const Pose2d& driven) {
   const double duration_s = now.captured_s - before.captured_s;
-  const bool is_driven = followed_plan_ != 0 && decision_.permission != Permission::Stop;
+  const bool is_driven = isDriven() && decision_.permission != Permission::Stop;
   if (!is_driven || duration_s <= 0.0 || duration_s > options_.watch.timeout_s) {
     motion_.pause();
     return;
@@ -130,15 +131,43 @@ void RobotController::learnSlip(const TimedPose& before, const TimedPose& now,
 }
 
 void RobotController::detectArrival(const Pose2d& pose, const Twist2d& twist_map) {
-  const bool has_arrived =
-      !tasks_.isIdle() &&
-      hasArrived(follower_.path(), reachedWaypoint(), pose, {twist_map.x_mps, twist_map.y_mps},
-                 options_.follower.heading_rad, options_.arrival);
+  const Vector2 velocity_map{twist_map.x_mps, twist_map.y_mps};
+  bool has_arrived = false;
+  if (alignment_) {
+    has_arrived = isAtRestIn(alignment_->target(), pose, velocity_map,
+                             options_.follower.heading_rad, options_.arrival);
+  } else if (!tasks_.isIdle()) {
+    has_arrived = hasArrived(follower_.path(), reachedWaypoint(), pose, velocity_map,
+                             options_.follower.heading_rad, options_.arrival);
+  }
   arrival_poses_ = has_arrived ? arrival_poses_ + 1 : 0;
-  if (arrival_poses_ >= options_.arrival_poses) {
+  const bool is_shown = arrival_poses_ >= options_.arrival_poses;
+  if (alignment_) {
+    has_aligned_ = is_shown;
+  } else if (is_shown) {
     arrival_poses_ = 0;
     tasks_.completeCurrent();
   }
+}
+
+void RobotController::followAlignment(double now_s) {
+  if (!central_.is_aligning) {
+    alignment_.reset();
+    return;
+  }
+  if (alignment_ || !tasks_.isIdle() || watch_.problem(now_s)) {
+    return;
+  }
+  const Pose2d& here = watch_.last()->pose;
+  alignment_.emplace(frame_.toPoint(frame_.toCell(position(here))), here,
+                     options_.follower.heading_rad, options_.follower.heading_tolerance_rad);
+  has_aligned_ = false;
+  arrival_poses_ = 0;
+  // What it has driven before is over: it rests where it is aligned to until tasks come.
+  followed_plan_ = 0;
+  first_task_ = tasks_.done();
+  finish_waypoint_.reset();
+  follower_.reset(alignment_->target());
 }
 
 void RobotController::onCentralState(const CentralState& state, double now_s) {
@@ -150,6 +179,7 @@ void RobotController::onCentralState(const CentralState& state, double now_s) {
   central_ = state;
   central_heard_s_ = now_s;
   emergency_.onCentralMode(state.mode);
+  followAlignment(now_s);
 }
 
 PoseConfirmation RobotController::confirmPose(double now_s) {
@@ -199,8 +229,11 @@ Whereabouts RobotController::whereabouts(double now_s) const {
 RobotSituation RobotController::situation(double now_s) const {
   RobotSituation situation;
   situation.pose_problem = watch_.problem(now_s);
-  situation.motion_problem = motion_.problem();
+  situation.motion_problem =
+      alignment_ && alignment_->problem() ? alignment_->problem() : motion_.problem();
   situation.has_task = !tasks_.isIdle();
+  situation.is_aligning = alignment_.has_value();
+  situation.has_aligned = has_aligned_;
   situation.has_finished_last_task = finish_waypoint_ && reachedWaypoint() >= *finish_waypoint_;
   if (central_heard_s_) {
     situation.central_silence_s = now_s - *central_heard_s_;
@@ -239,8 +272,7 @@ Twist2d RobotController::update(double now_s) {
   const double step_s = stepTo(now_s);
   watch_.commanded(speed(limiter_.last()) * step_s);
   decision_ = decide(situation(now_s), options_.supervisor);
-  const bool has_path = followed_plan_ != 0;
-  if (decision_.permission == Permission::Stop || !has_path) {
+  if (decision_.permission == Permission::Stop || !isDriven()) {
     follower_.halt();
     return noteCommand(limiter_.ramp(options_.stop_deceleration_mps2, step_s), now_s);
   }
@@ -253,6 +285,9 @@ Twist2d RobotController::update(double now_s) {
       motion_.isUnanswered() && wanted_mps > options_.motion.creep_mps) {
     wanted.x_mps *= options_.motion.creep_mps / wanted_mps;
     wanted.y_mps *= options_.motion.creep_mps / wanted_mps;
+  }
+  if (alignment_) {
+    wanted = alignment_->limit(wanted, pose.pose, step_s);
   }
   return noteCommand(limiter_.limit(wanted, step_s), now_s);
 }

@@ -7,8 +7,12 @@
 namespace sylph {
 namespace {
 
+bool hasToMove(const RobotSituation& situation) {
+  return situation.has_task || (situation.is_aligning && !situation.has_aligned);
+}
+
 RobotDecision stop(const RobotSituation& situation, const std::string& detail) {
-  return {situation.has_task ? RobotState::Holding : RobotState::Idle, Permission::Stop, detail};
+  return {hasToMove(situation) ? RobotState::Holding : RobotState::Idle, Permission::Stop, detail};
 }
 
 }  // namespace
@@ -34,10 +38,12 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
   if (situation.motion_problem) {
     return stop(situation, *situation.motion_problem);
   }
-  if (situation.is_displaced) {
+  // Whether a robot may be aligned from where it stands is for the central node to judge.
+  if (situation.is_displaced && !situation.is_aligning) {
     return stop(situation, "outside the cells of its task: put it back");
   }
-  if (std::abs(situation.heading_error_rad) > limits.heading_correction_rad) {
+  if (std::abs(situation.heading_error_rad) > limits.heading_correction_rad &&
+      !situation.is_aligning) {
     return stop(situation, format("heading is %.0f deg off: turn it by hand",
                                   situation.heading_error_rad * 180.0 / M_PI));
   }
@@ -45,13 +51,13 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
     const std::string detail =
         format("central node silent for %.1f s", *situation.central_silence_s);
     // Its cells are its own until it says that it has left them: to finish the task is safe without
-    // the central node, to begin another is not.
+    // the central node, to begin another or to be aligned is not.
     if (!situation.has_task || situation.has_finished_last_task) {
       return stop(situation, detail);
     }
     return {RobotState::Moving, Permission::FinishTask, detail};
   }
-  return {situation.has_task ? RobotState::Moving : RobotState::Idle, Permission::Drive, ""};
+  return {hasToMove(situation) ? RobotState::Moving : RobotState::Idle, Permission::Drive, ""};
 }
 
 void EmergencyLatch::onEmergencyStop(bool is_pressed) {

@@ -88,6 +88,7 @@ class RobotWorld {
   ExecutionMode mode = ExecutionMode::Run;
   std::uint32_t executed_plan_id = 1;
   bool has_tasks_to_come = false;
+  bool is_aligning = false;
   bool central_sends = true;
   bool cameras_send = true;
   bool node_runs = true;
@@ -97,7 +98,8 @@ class RobotWorld {
  private:
   void step() {  // 0.01 s
     if (node_runs && central_sends && step_ % 10 == 0) {
-      controller.onCentralState({mode, executed_plan_id, now_s, has_tasks_to_come}, now_s);
+      controller.onCentralState({mode, executed_plan_id, now_s, has_tasks_to_come, is_aligning},
+                                now_s);
     }
     if (node_runs && cameras_send) {
       const double noise_m = 1e-4 * drawNormal(rng_);

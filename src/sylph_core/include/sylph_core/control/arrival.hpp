@@ -33,6 +33,13 @@ struct ArrivalOptions {
 bool hasArrived(const DrivePath& path, int leg, const Pose2d& measured, const Vector2& velocity_map,
                 double heading_rad, const ArrivalOptions& options);
 
+/// Whether a robot without a path is at a point: the measured position and heading are within their
+/// tolerances, and so is where it would come to rest if it braked now.
+/// @param velocity_map  [m/s]
+/// @param heading_rad   that the robot has to hold
+bool isAtRestIn(const Point& point, const Pose2d& measured, const Vector2& velocity_map,
+                double heading_rad, const ArrivalOptions& options);
+
 /// Distance from a point to the closest of the legs `first` ... last of a path; to the last
 /// waypoint if there is none [m].
 double distanceToRest(const DrivePath& path, int first, const Point& point);

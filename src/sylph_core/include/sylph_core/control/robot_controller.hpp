@@ -4,6 +4,7 @@
 #include <optional>
 #include <string>
 
+#include "sylph_core/control/alignment.hpp"
 #include "sylph_core/control/arrival.hpp"
 #include "sylph_core/control/motion_watch.hpp"
 #include "sylph_core/control/path_follower.hpp"
@@ -40,6 +41,9 @@ struct CentralState {
   std::uint32_t executed_plan_id = 0;  ///< whose tasks it may carry out; 0: of none
   double stamp_s = 0.0;                ///< when it was sent, by the central node's clock
   bool has_tasks_to_come = false;      ///< whether that plan moves this robot still
+  /// Whether it is to turn to its heading and drive to the middle of the cell in which it stands,
+  /// before its plan begins.
+  bool is_aligning = false;
 };
 
 /// What a robot says to the operator's word that its pose is right.
@@ -86,6 +90,10 @@ class RobotController {
   bool hasOtherPlansTasks() const;
   Whereabouts whereabouts(double now_s) const;
   void followTasks();
+  /// Begins or ends an alignment, as the central node wants.
+  void followAlignment(double now_s);
+  /// Whether it may have been commanded to move.
+  bool isDriven() const { return followed_plan_ != 0 || alignment_; }
   /// Where its commands lead the robot from where it was seen last until the capture of `pose`.
   Pose2d drivenUntil(const TimedPose& pose) const;
   /// Compares what was measured since `before` with what was commanded.
@@ -114,6 +122,8 @@ class RobotController {
   std::optional<int> finish_waypoint_;  // where to stop while the central node is silent
   std::uint32_t followed_plan_ = 0;
   int first_task_ = 0;  // of the plan, that the path begins with
+  std::optional<Alignment> alignment_;
+  bool has_aligned_ = false;
   int arrival_poses_ = 0;
   RobotDecision decision_;
   std::string refusal_;  // of the last task that was refused, until one is accepted

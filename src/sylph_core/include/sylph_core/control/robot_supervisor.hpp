@@ -21,6 +21,8 @@ struct RobotSituation {
   std::optional<std::string> motion_problem;  ///< why it is not believed to be this robot's
   bool has_task = false;
   bool has_finished_last_task = false;      ///< since the central node fell silent
+  bool is_aligning = false;                 ///< turns and drives to the middle of its cell
+  bool has_aligned = false;                 ///< is there
   std::optional<double> central_silence_s;  ///< since the last AdgState; nothing before the first
   ExecutionMode mode = ExecutionMode::Run;
   bool is_emergency = false;
