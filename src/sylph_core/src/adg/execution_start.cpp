@@ -90,11 +90,14 @@ bool Execution::tryStart(double now_s) {
     admission_.withdraw();
   }
   if (admission_.pending() == nullptr) {
+    aligned_.reset();
     return false;
   }
   const std::uint32_t plan_id = admission_.pending()->plan_id;
   const PlanAdmission::Decision decision = admission_.decide(present(), now_s);
-  if (decision.verdict == Verdict::Wait) {
+  align(decision, now_s);
+  const bool is_decided = decision.verdict != Verdict::Wait && decision.verdict != Verdict::Align;
+  if (!is_decided) {
     wait_reason_ = decision.reason;
   } else if (decision.verdict == Verdict::Refuse) {
     setRefused(plan_id, decision.reason);
@@ -105,7 +108,16 @@ bool Execution::tryStart(double now_s) {
       setRefused(plan_id, refused.what());
     }
   }
-  return decision.verdict != Verdict::Wait;
+  return is_decided;
+}
+
+void Execution::align(const PlanAdmission::Decision& decision, double now_s) {
+  if (decision.verdict != PlanAdmission::Decision::Verdict::Align || mode_ != ExecutionMode::Run) {
+    aligned_.reset();
+  } else if (aligned_ != decision.robot) {
+    aligned_ = decision.robot;
+    admission_.waitAnew(now_s);
+  }
 }
 
 void Execution::load(std::shared_ptr<const MissionPlan> plan) {

@@ -120,6 +120,7 @@ RobotExecution explain(const Execution& execution, int robot, double now_s) {
   known.robot = execution.name(robot);
   known.condition = monitor.condition();
   known.report_state = report ? report->state : RobotState::Idle;
+  known.is_aligning = execution.aligned() == robot;
   known.svo_deg = std::numeric_limits<float>::quiet_NaN();
   // Without part in the mission it is where it is, by its own word.
   if (execution.missionGoals().count(robot) == 0) {

@@ -6,9 +6,20 @@
 #include <set>
 
 #include "sylph_core/mapf/check_plan.hpp"
+#include "sylph_core/text/format.hpp"
 #include "sylph_core/text/join.hpp"
 
 namespace sylph {
+namespace {
+
+/// How far a robot is off, and what it says to that.
+std::string offsetOf(const Pose2d& target, const RobotReport& report) {
+  return format("%.0f mm and ", distance(position(target), position(*report.pose)) * 1e3) +
+         format("%.0f deg off", std::abs(report.heading_error_rad) * 180.0 / M_PI) +
+         (report.detail.empty() ? std::string() : ": " + report.detail);
+}
+
+}  // namespace
 
 PlanAdmission::PlanAdmission(std::vector<std::string> robots, int rows, int cols,
                              const CellFrame& frame, const ExecutionLimits& limits)
@@ -43,12 +54,77 @@ PlanAdmission::Decision PlanAdmission::decide(const PresentExecution& present, d
   if (const auto fault = bystanderInTheWay(present)) {
     return {Decision::Verdict::Refuse, *fault};
   }
+  if (limits_.alignment && pending_->replaces_plan_id == 0) {
+    if (const auto decision = decideOnAlignment(present, now_s)) {
+      return *decision;
+    }
+  }
   if (const auto fault = reasonNotAtStart(present)) {
     // At a cut a robot may still be on its way back to the centre of its cell.
     const bool may_come = pending_->replaces_plan_id != 0 && now_s <= pending_until_s_;
     return {may_come ? Decision::Verdict::Wait : Decision::Verdict::Refuse, *fault};
   }
   return {Decision::Verdict::Start, {}};
+}
+
+std::optional<std::vector<std::size_t>> PlanAdmission::agentsToAlign(
+    const PresentExecution& present) const {
+  std::vector<std::size_t> agents;
+  for (std::size_t agent = 0; agent < pending_->robots.size(); ++agent) {
+    const std::size_t robot = *indexOf(pending_->robots[agent]);
+    const RobotReport& report = *present.monitors[robot].report();
+    const Cell& start = pending_->plan.front()[agent];
+    if (frame_.toCell(position(*report.pose)) != start) {
+      return std::nullopt;
+    }
+    const bool is_under_way = present.aligned == robot;
+    if (!isInMiddle(start, *report.pose) || (is_under_way && report.state == RobotState::Moving)) {
+      // Who is under way comes to its end first.
+      agents.insert(is_under_way ? agents.begin() : agents.end(), agent);
+    }
+  }
+  return agents;
+}
+
+AlignmentQuestion PlanAdmission::alignmentOf(std::size_t agent,
+                                             const PresentExecution& present) const {
+  AlignmentQuestion question;
+  question.robot = *indexOf(pending_->robots[agent]);
+  for (const RobotMonitor& monitor : present.monitors) {
+    question.poses.push_back(monitor.report() ? monitor.report()->pose : std::nullopt);
+  }
+  const Point center = frame_.toPoint(pending_->plan.front()[agent]);
+  const RobotReport& report = *present.monitors[question.robot].report();
+  question.target = {center.x, center.y, report.pose->yaw_rad - report.heading_error_rad};
+  question.is_under_way = present.aligned == question.robot;
+  return question;
+}
+
+std::optional<PlanAdmission::Decision> PlanAdmission::decideOnAlignment(
+    const PresentExecution& present, double now_s) const {
+  using Verdict = Decision::Verdict;
+  const auto agents = agentsToAlign(present);
+  if (!agents || agents->empty()) {
+    return std::nullopt;  // all are aligned, or one has to be carried to its start
+  }
+  std::vector<std::string> reasons;
+  for (const std::size_t agent : *agents) {
+    const AlignmentQuestion question = alignmentOf(agent, present);
+    const RobotReport& report = *present.monitors[question.robot].report();
+    const auto reason = reasonNotToAlign(question, names_, frame_, *limits_.alignment);
+    const std::string& name = names_[question.robot];
+    if (!reason) {
+      const bool is_late = question.is_under_way && now_s > pending_until_s_;
+      return Decision{is_late ? Verdict::Refuse : Verdict::Align,
+                      name + " is being aligned, " + offsetOf(question.target, report),
+                      question.robot};
+    }
+    if (question.is_under_way && report.state == RobotState::Moving) {
+      return Decision{Verdict::Wait, name + " " + *reason, question.robot};
+    }
+    reasons.push_back(name + " " + *reason);
+  }
+  return Decision{Verdict::Refuse, join(reasons, "; "), 0};
 }
 
 std::optional<std::string> PlanAdmission::faultOfMembers(const MissionPlan& plan) const {
@@ -121,7 +197,7 @@ std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& p
              (report.detail.empty() ? std::string() : ": " + report.detail);
     }
     // It may still coast out of the cell in which it was seen.
-    if (report.state == RobotState::Moving) {
+    if (report.state == RobotState::Moving && present.aligned != indexOf(member)) {
       return member + " still moves";
     }
     if (present.plan != nullptr && report.plan_id == present.plan->plan_id &&
@@ -162,15 +238,11 @@ std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const P
   if (cell != start) {
     return "is in " + toString(cell) + ", and not in its start " + toString(start);
   }
-  const StartLimits& limits = limits_.start;
-  // The footprint has to stay in the middle of the cell, as that of a robot which keeps to its
-  // tolerances; a neighbour may come as near to the edge. Turned it needs a larger box.
-  const Vector2 offset = displacement(frame_.toPoint(start), position(pose));
-  const Vector2 box = halfBox(limits.length_m, limits.width_m, pose.yaw_rad);
-  const Vector2 free{limits.room_m - box.x, limits.room_m - box.y};
-  if (std::abs(offset.x) <= free.x && std::abs(offset.y) <= free.y) {
+  if (isInMiddle(start, pose)) {
     return std::nullopt;
   }
+  const Vector2 offset = displacement(frame_.toPoint(start), position(pose));
+  const Vector2 free = freedomOf(pose);
   char text[160];
   std::snprintf(text, sizeof(text),
                 "stands %.0f mm in x and %.0f mm in y off the centre of its start %s, turned by "
@@ -179,6 +251,20 @@ std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const P
                 pose.yaw_rad * 180.0 / M_PI, std::max(0.0, free.x) * 1e3,
                 std::max(0.0, free.y) * 1e3);
   return text;
+}
+
+Vector2 PlanAdmission::freedomOf(const Pose2d& pose) const {
+  // The footprint has to stay in the middle of the cell, as that of a robot which keeps to its
+  // tolerances; a neighbour may come as near to the edge. Turned it needs a larger box.
+  const StartLimits& limits = limits_.start;
+  const Vector2 box = halfBox(limits.length_m, limits.width_m, pose.yaw_rad);
+  return {limits.room_m - box.x, limits.room_m - box.y};
+}
+
+bool PlanAdmission::isInMiddle(const Cell& start, const Pose2d& pose) const {
+  const Vector2 offset = displacement(frame_.toPoint(start), position(pose));
+  const Vector2 free = freedomOf(pose);
+  return std::abs(offset.x) <= free.x && std::abs(offset.y) <= free.y;
 }
 
 std::optional<std::string> PlanAdmission::bystanderInTheWay(const PresentExecution& present) const {

@@ -1,6 +1,7 @@
 #include "sylph_core/experiment/experiment_margin.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 
@@ -44,6 +45,18 @@ StartLimits startLimits(const Experiment& experiment) {
   const double half_m = experiment.cell_size_m / 2.0;
   const double intrusion_m = margin.reach_m + std::max(margin.error_m, margin.overrun_m) - half_m;
   return {factors.length_m, factors.width_m, half_m - std::max(0.0, intrusion_m)};
+}
+
+AlignmentLimits alignmentLimits(const Experiment& experiment) {
+  const SafetyFactors factors = safetyFactors(experiment);
+  const ExecutionSpec& execution = experiment.execution;
+  // Turning moves a corner faster than driving moves the whole robot.
+  const double corner_mps =
+      execution.turn_rate_limit_radps * std::hypot(factors.length_m, factors.width_m) / 2.0;
+  const double blind_s =
+      std::max(execution.pose_timeout_s, execution.base_timeout_s) + execution.command_latency_s;
+  return {footprintsOf(experiment), experiment.grid,
+          execution.tracking_error_m + corner_mps * blind_s + separationLimits(experiment).limit_m};
 }
 
 double bystanderDistance(const Experiment& lab) {

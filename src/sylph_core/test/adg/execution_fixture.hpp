@@ -47,6 +47,8 @@ struct Robot {
   std::map<int, TaskOrder> tasks;
   Point position;
   double yaw_rad = 0.0;
+  std::optional<RobotState> state;  ///< that it tells in place of the one that its tasks give
+  std::string detail;
   std::vector<int> carried_out;  ///< sequences of the present plan
 
   int accepted() const {
@@ -84,8 +86,10 @@ struct Robot {
     report.plan_id = plan_id;
     report.accepted = accepted();
     report.done = done;
-    report.state = hasTask() ? RobotState::Moving : RobotState::Idle;
+    report.state = state.value_or(hasTask() ? RobotState::Moving : RobotState::Idle);
+    report.detail = detail;
     report.pose = Pose2d{position.x, position.y, yaw_rad};
+    report.heading_error_rad = yaw_rad;
     return report;
   }
 };

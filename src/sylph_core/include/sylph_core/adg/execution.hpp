@@ -79,6 +79,12 @@ class Execution {
   /// Whether a plan is carried out, be it on the way to the cut or there.
   bool isUnderWay() const;
 
+  /// The robot that has to turn and drive to the middle of its cell, before the pending plan
+  /// starts.
+  std::optional<int> aligned() const {
+    return aligned_ ? std::make_optional(static_cast<int>(*aligned_)) : std::nullopt;
+  }
+
   /// Nothing before the first plan.
   const MissionPlan* plan() const { return plan_.get(); }
   /// Its agents are the robots of the lab, all of them; nothing before the first plan.
@@ -126,9 +132,10 @@ class Execution {
   bool leadsALostRobot(const MissionPlan& plan) const;
   void makeRoomFor(std::uint32_t plan_id);
   void setRefused(std::uint32_t plan_id, const std::string& reason);
-  PresentExecution present() const { return {plan_.get(), graph(), is_cut_, monitors_}; }
+  PresentExecution present() const { return {plan_.get(), graph(), is_cut_, monitors_, aligned_}; }
   /// @return whether the pending plan has been started or refused
   bool tryStart(double now_s);
+  void align(const PlanAdmission::Decision& decision, double now_s);
   void load(std::shared_ptr<const MissionPlan> plan);
   void loadMission(const MissionPlan& plan);
   void loadReplacement(const MissionPlan& plan);
@@ -161,6 +168,7 @@ class Execution {
   std::string mode_reason_;
   std::string refusal_;
   std::string wait_reason_;  ///< of the plan that is pending
+  std::optional<std::size_t> aligned_;
   std::uint32_t plan_id_ = 0;
   std::uint32_t last_plan_id_ = 0;
   bool is_cut_ = false;

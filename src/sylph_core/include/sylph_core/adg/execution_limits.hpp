@@ -1,5 +1,11 @@
 #pragma once
 
+#include <memory>
+#include <vector>
+
+#include "sylph_core/geometry/footprint.hpp"
+#include "sylph_core/grid/grid.hpp"
+
 namespace sylph {
 
 /// How a robot may stand where its plan starts, for the largest robot: its footprint, as it is
@@ -12,6 +18,15 @@ struct StartLimits {
   double room_m = 0.142;
 };
 
+/// Where a robot may be aligned: turned and driven to the middle of its cell while all others rest.
+struct AlignmentLimits {
+  std::vector<Footprint> footprints;  ///< of each robot of the lab; where they are does not matter
+  Grid obstacles;                     ///< of the lab
+  /// Least gap to other robots and to obstacles on the way [m]. Who only moves away needs half of
+  /// it to robots, and none to obstacles.
+  double clearance_m = 0.03;
+};
+
 /// When something counts as wrong. Times in seconds of the caller's steady clock.
 struct ExecutionLimits {
   int lookahead = 5;            ///< tasks that a robot may have ahead, > 0
@@ -22,6 +37,8 @@ struct ExecutionLimits {
   double start_wait_s = 60.0;   ///< a plan waits so long for robots to rest and report, > 0
   double progress_m = 0.02;     ///< a robot that moves so far makes progress, > 0
   StartLimits start;
+  /// Robots that stand in their start cells, but off the middle, are aligned; null: they are not.
+  std::shared_ptr<const AlignmentLimits> alignment;
 };
 
 }  // namespace sylph

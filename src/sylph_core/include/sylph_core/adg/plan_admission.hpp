@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "sylph_core/adg/action_dependency_graph.hpp"
+#include "sylph_core/adg/alignment_room.hpp"
 #include "sylph_core/adg/execution_limits.hpp"
 #include "sylph_core/adg/robot_monitor.hpp"
 #include "sylph_core/execution/mission_plan.hpp"
@@ -20,6 +21,7 @@ struct PresentExecution {
   const ActionDependencyGraph* graph = nullptr;  ///< of that plan
   bool is_cut = false;                           ///< it waits for a replacement
   const std::vector<RobotMonitor>& monitors;     ///< one per robot of the lab
+  std::optional<std::size_t> aligned;            ///< the robot that is being aligned
 };
 
 /// Decides whether a plan may start, and why not.
@@ -38,13 +40,17 @@ class PlanAdmission {
   std::optional<std::string> propose(MissionPlan plan, const PresentExecution& present,
                                      double now_s);
   void withdraw() { pending_.reset(); }
+  /// The plan that waits has to wait for something new.
+  void waitAnew(double now_s) { pending_until_s_ = now_s + limits_.start_wait_s; }
   /// The plan that waits.
   const MissionPlan* pending() const { return pending_.get(); }
 
   struct Decision {
-    enum class Verdict { Wait, Start, Refuse };
+    /// Align: it waits for a robot to turn and drive to the middle of its cell.
+    enum class Verdict { Wait, Align, Start, Refuse };
     Verdict verdict = Verdict::Wait;
-    std::string reason;  ///< why it waits or is refused
+    std::string reason;     ///< why it waits or is refused
+    std::size_t robot = 0;  ///< that is to be aligned
   };
   /// About the plan that waits.
   Decision decide(const PresentExecution& present, double now_s) const;
@@ -60,7 +66,15 @@ class PlanAdmission {
   std::optional<std::string> reasonNotNew(const PresentExecution& present) const;
   /// Why a robot with this pose may not start in a cell, to follow its name.
   std::optional<std::string> reasonNotIn(const Cell& start, const Pose2d& pose) const;
+  /// How far a robot that is turned like that may be off its cell's centre, in x and y [m].
+  Vector2 freedomOf(const Pose2d& pose) const;
+  bool isInMiddle(const Cell& start, const Pose2d& pose) const;
   std::optional<std::string> reasonNotAtStart(const PresentExecution& present) const;
+  /// Those that stand in their start cells, but off the middle; nothing if one stands elsewhere.
+  std::optional<std::vector<std::size_t>> agentsToAlign(const PresentExecution& present) const;
+  AlignmentQuestion alignmentOf(std::size_t agent, const PresentExecution& present) const;
+  /// Nothing if no robot has to be aligned, or if that would not do.
+  std::optional<Decision> decideOnAlignment(const PresentExecution& present, double now_s) const;
   std::optional<std::string> bystanderInTheWay(const PresentExecution& present) const;
 
   std::vector<std::string> names_;

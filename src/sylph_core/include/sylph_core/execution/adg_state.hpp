@@ -32,6 +32,7 @@ struct RobotExecution {
   TaskId waits_for_task = 0;         ///< which has to be done first
   Cell waits_for_cell;               ///< which that task leaves
   double waited_s = 0.0;             ///< for how long [s]
+  bool is_aligning = false;          ///< is to turn and drive to the middle of its cell
   std::string root_cause_robot;      ///< the last of those who wait for each other
   std::string root_cause;            ///< why that one does not go on, in one line
 };

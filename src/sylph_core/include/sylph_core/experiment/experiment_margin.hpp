@@ -19,6 +19,9 @@ SafetyMargin requireSafetyMargin(const Experiment& experiment);
 /// How its robots may stand where a plan starts, so that the margin holds for those who pass by.
 /// @throws std::runtime_error as requireSafetyMargin()
 StartLimits startLimits(const Experiment& experiment);
+/// Where robots may be aligned: with a clearance in which one that loses its pose or its node while
+/// it turns comes to rest, off its way by the tracking error.
+AlignmentLimits alignmentLimits(const Experiment& experiment);
 
 /// A robot without part in a mission blocks the cells to which its footprint is so near [m], >= 0:
 /// as the central node has it, which would refuse the plan.
