@@ -1,5 +1,7 @@
 #include "sylph_adg_central/options.hpp"
 
+#include <memory>
+
 #include "sylph_core/experiment/experiment_margin.hpp"
 
 namespace sylph_adg_central {
@@ -22,6 +24,9 @@ CentralOptions readCentralOptions(sylph_ros::ParameterReader& reader) {
               "a robot in trouble for so long is declared lost; 0: never by itself");
   reader.read("start_wait_s", limits.start_wait_s, positive,
               "a plan waits so long for robots to report and to rest");
+  reader.read("align", options.align,
+              "before a plan starts, robots that are turned or off the middle of their start cells "
+              "turn and drive there one by one");
   sylph_ros::readDiagnosticPeriod(reader);
   return options;
 }
@@ -30,6 +35,10 @@ CentralOptions loadCentralOptions(const ros::NodeHandle& private_nh,
                                   const sylph::Experiment& experiment) {
   CentralOptions options = sylph_ros::readStrictly(private_nh, readCentralOptions);
   options.limits.start = sylph::startLimits(experiment);
+  if (options.align) {
+    options.limits.alignment =
+        std::make_shared<const sylph::AlignmentLimits>(sylph::alignmentLimits(experiment));
+  }
   return options;
 }
 

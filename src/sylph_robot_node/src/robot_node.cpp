@@ -21,10 +21,19 @@ constexpr double kShutdownPeriodWall_s = 0.1;
 /// A simulator that has not been heard for so long has ended before this node [wall s].
 constexpr double kSimulatorGoneWall_s = 0.5;
 
-bool hasTasksToCome(const sylph_msgs::AdgState& state, const std::string& robot) {
-  return std::any_of(state.robots.begin(), state.robots.end(), [&](const auto& known) {
-    return known.robot_id == robot && known.tasks_done < known.tasks_total;
-  });
+sylph::CentralState centralState(const sylph_msgs::AdgState& message, sylph::ExecutionMode mode,
+                                 const std::string& robot) {
+  sylph::CentralState state;
+  state.mode = mode;
+  state.executed_plan_id = message.executed_plan_id;
+  state.stamp_s = message.header.stamp.toSec();
+  for (const sylph_msgs::RobotExecution& known : message.robots) {
+    if (known.robot_id == robot) {
+      state.has_tasks_to_come = known.tasks_done < known.tasks_total;
+      state.is_aligning = known.aligning != 0;
+    }
+  }
+  return state;
 }
 
 }  // namespace
@@ -105,9 +114,7 @@ void RobotNode::onPose(const geometry_msgs::PoseStamped& message) {
 
 void RobotNode::onAdgState(const sylph_msgs::AdgState& message) {
   if (const auto mode = sylph_ros::modeFromMessage(message)) {
-    controller_.onCentralState({*mode, message.executed_plan_id, message.header.stamp.toSec(),
-                                hasTasksToCome(message, options_.robot)},
-                               clock_.now());
+    controller_.onCentralState(centralState(message, *mode, options_.robot), clock_.now());
   } else {
     ROS_WARN_THROTTLE(1.0, "AdgState with mode %d: must be RUN, PAUSE or STOP", message.mode);
   }

@@ -63,6 +63,7 @@ RobotExecution toRobotMessage(const sylph::RobotExecution& robot) {
   message.waits_for_task = static_cast<std::uint32_t>(robot.waits_for_task);
   message.waits_for_cell = toMessage(robot.waits_for_cell);
   message.waited_s = robot.waited_s;
+  message.aligning = static_cast<std::uint8_t>(robot.is_aligning);
   message.root_cause_robot = robot.root_cause_robot;
   message.root_cause = robot.root_cause;
   return message;
@@ -101,6 +102,7 @@ sylph::RobotExecution fromRobotMessage(const RobotExecution& message) {
   robot.waits_for_task = static_cast<sylph::TaskId>(message.waits_for_task);
   robot.waits_for_cell = fromMessage(message.waits_for_cell);
   robot.waited_s = message.waited_s;
+  robot.is_aligning = message.aligning != 0;
   robot.root_cause_robot = message.root_cause_robot;
   robot.root_cause = message.root_cause;
   return robot;

@@ -29,6 +29,7 @@ sylph::AdgState state() {
   robot.waits_for_task = 17;
   robot.waits_for_cell = {4, 5};
   robot.waited_s = 2.5;
+  robot.is_aligning = true;
   robot.root_cause_robot = "robot_2";
   robot.root_cause = "no report for 3.0 s";
   sylph::AdgState state;
@@ -81,6 +82,7 @@ TEST(StateMessagesTest, AStateThereAndBackIsTheIdentity) {
   EXPECT_EQ(17, robot.waits_for_task);
   EXPECT_EQ(expected.waits_for_cell, robot.waits_for_cell);
   EXPECT_EQ(2.5, robot.waited_s);
+  EXPECT_TRUE(robot.is_aligning);
   EXPECT_EQ("robot_2", robot.root_cause_robot);
   EXPECT_EQ("no report for 3.0 s", robot.root_cause);
 }

@@ -14,6 +14,7 @@ namespace sylph_adg_central {
 struct CentralOptions {
   sylph::ExecutionLimits limits;
   double heartbeat_period_s = 0.1;  ///< AdgState at least so often
+  bool align = false;  ///< robots that stand off the middle of their starts are aligned first
 };
 
 /// Parameters of sylph_adg_central, with meaning and bounds.
