@@ -38,6 +38,9 @@ sylph::ExecutionLimits limitsOf(const sylph::Experiment& experiment,
                                 const RehearsalOptions& options) {
   sylph::ExecutionLimits limits = options.limits;
   limits.start = startLimits(experiment);
+  if (options.align) {
+    limits.alignment = std::make_shared<const sylph::AlignmentLimits>(alignmentLimits(experiment));
+  }
   return limits;
 }
 
@@ -166,6 +169,7 @@ void Lab::onCentralState(const sylph::CentralState& state) {
   for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
     sylph::CentralState to_robot = state;
     to_robot.has_tasks_to_come = central_.hasTasksToCome(static_cast<int>(robot));
+    to_robot.is_aligning = central_.execution()->aligned() == static_cast<int>(robot);
     links_[robot].state.send([this, robot, state = to_robot] {
       const sylph::Execution* execution = central_.execution();
       // What was sent before the operator resumed is late, and no order to stop any more.

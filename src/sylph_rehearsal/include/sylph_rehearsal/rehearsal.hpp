@@ -28,7 +28,8 @@ struct RehearsalOptions {
   LinkOptions cameras;                      ///< from the bridge to each robot and the monitor
   LinkOptions network;                      ///< between central node and robots
   LinkOptions computer;                     ///< between nodes of one computer
-  double planning_s = 0.5;                  ///< that the planner takes, >= 0
+  bool align = false;          ///< robots off the middle of their starts are aligned first
+  double planning_s = 0.5;     ///< that the planner takes, >= 0
   double quiet_s = 30.0;       ///< a run in which no task is done for so long has stopped, > 0
   double time_limit_s = 3600;  ///< a run ends then at the latest, > 0
 };
