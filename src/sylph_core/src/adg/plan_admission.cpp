@@ -186,25 +186,34 @@ std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& p
              std::to_string(present.plan->plan_id) + " that it has";
     }
   }
+  // All that are waited for: one that has no pose at this moment must not hide one that is not there.
+  std::vector<std::string> silent;
+  std::vector<std::string> others;
   for (const std::string& member : pending_->robots) {
-    const RobotMonitor& robot = present.monitors[*indexOf(member)];
-    if (!robot.isHeard(now_s)) {
-      return member + " does not report";
+    const std::size_t robot = *indexOf(member);
+    if (!present.monitors[robot].isHeard(now_s)) {
+      silent.push_back(member + " does not report");
+    } else if (const auto reason = reasonToWaitFor(robot, present)) {
+      others.push_back(member + " " + *reason);
     }
-    const RobotReport& report = *robot.report();
-    if (report.state == RobotState::Blind || !report.pose) {
-      return member + " has no good pose" +
-             (report.detail.empty() ? std::string() : ": " + report.detail);
-    }
-    // It may still coast out of the cell in which it was seen.
-    if (report.state == RobotState::Moving && present.aligned != indexOf(member)) {
-      return member + " still moves";
-    }
-    if (present.plan != nullptr && report.plan_id == present.plan->plan_id &&
-        report.done < report.accepted) {
-      return member + " has not finished the tasks of plan " +
-             std::to_string(present.plan->plan_id);
-    }
+  }
+  silent.insert(silent.end(), others.begin(), others.end());
+  return silent.empty() ? std::nullopt : std::make_optional(join(silent, "; "));
+}
+
+std::optional<std::string> PlanAdmission::reasonToWaitFor(std::size_t robot,
+                                                          const PresentExecution& present) const {
+  const RobotReport& report = *present.monitors[robot].report();
+  if (report.state == RobotState::Blind || !report.pose) {
+    return "has no good pose" + (report.detail.empty() ? std::string() : ": " + report.detail);
+  }
+  // It may still coast out of the cell in which it was seen.
+  if (report.state == RobotState::Moving && present.aligned != robot) {
+    return "still moves";
+  }
+  if (present.plan != nullptr && report.plan_id == present.plan->plan_id &&
+      report.done < report.accepted) {
+    return "has not finished the tasks of plan " + std::to_string(present.plan->plan_id);
   }
   return std::nullopt;
 }

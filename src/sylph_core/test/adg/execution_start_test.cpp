@@ -125,7 +125,20 @@ TEST_F(ExecutionStartTest, WaitsForReportsAndThenRefuses) {
   submit(queue(), 1);
   now_s_ += limits_.start_wait_s + 0.1;
   execution_->tick(now_s_);
-  EXPECT_EQ("plan 1: robot_0 does not report", execution_->message());
+  EXPECT_EQ("plan 1: robot_0 does not report; robot_1 does not report; robot_2 does not report",
+            execution_->message());
+}
+
+TEST_F(ExecutionStartTest, NamesAllThatAreWaitedForAndFirstWhoIsNotThere) {
+  robots_[0].state = RobotState::Blind;
+  robots_[0].detail = "pose is 0.2 s old";
+  robots_[0].position = frame_.toPoint({0, 0});
+  report(0);
+  robots_[1].position = frame_.toPoint({0, 1});
+  report(1);
+  submit(queue(), 1);
+  EXPECT_EQ("robot_2 does not report; robot_0 has no good pose: pose is 0.2 s old",
+            execution_->message());
 }
 
 TEST_F(ExecutionStartTest, AReplacementNeedsACut) {

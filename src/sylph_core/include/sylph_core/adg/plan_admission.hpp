@@ -63,6 +63,9 @@ class PlanAdmission {
                                      const PresentExecution& present) const;
   std::optional<std::string> faultOfMembers(const MissionPlan& plan) const;
   std::optional<std::string> reasonToWait(const PresentExecution& present, double now_s) const;
+  /// About a robot that reports; to follow its name.
+  std::optional<std::string> reasonToWaitFor(std::size_t robot,
+                                             const PresentExecution& present) const;
   std::optional<std::string> reasonNotNew(const PresentExecution& present) const;
   /// Why a robot with this pose may not start in a cell, to follow its name.
   std::optional<std::string> reasonNotIn(const Cell& start, const Pose2d& pose) const;
