@@ -74,8 +74,10 @@ CheckedPlan check(const Mission& mission, const Instance& instance, TimedResult 
                                   instance.starts.size());
   checked.plan = std::move(timed.result.plan);
   checked.metrics = computeMetrics(instance, checked.plan);
-  checked.proved_sum_of_costs =
-      timed.result.statistics.proved_sum_of_costs.value_or(sumOfCostsLowerBound(instance));
+  // Not computed here: the time for planning is over, and robots may stand and wait.
+  const PlanningStatistics& statistics = timed.result.statistics;
+  checked.least_sum_of_costs = statistics.proved_sum_of_costs ? statistics.proved_sum_of_costs
+                                                              : statistics.sum_of_costs_lower_bound;
   checked.planning_s = timed.planning_s;
   return checked;
 }
@@ -83,12 +85,15 @@ CheckedPlan check(const Mission& mission, const Instance& instance, TimedResult 
 }  // namespace
 
 std::string ratedCostOf(const CheckedPlan& plan) {
-  const auto cost = static_cast<double>(plan.metrics.sum_of_costs);
-  const auto proved = static_cast<double>(plan.proved_sum_of_costs);
-  return "sum of costs " + std::to_string(plan.metrics.sum_of_costs) +
-         (cost <= proved ? ", the least there is"
-                         : format(", at most %.0f %% above the least",
-                                  std::ceil(100.0 * (cost / std::max(proved, 1.0) - 1.0))));
+  std::string text = "sum of costs " + std::to_string(plan.metrics.sum_of_costs);
+  if (plan.least_sum_of_costs) {
+    const auto cost = static_cast<double>(plan.metrics.sum_of_costs);
+    const auto least = static_cast<double>(*plan.least_sum_of_costs);
+    text += cost <= least ? ", the least there is"
+                          : format(", at most %.0f %% above the least",
+                                   std::ceil(100.0 * (cost / std::max(least, 1.0) - 1.0)));
+  }
+  return text;
 }
 
 std::string certificateOf(const CheckedPlan& plan) {

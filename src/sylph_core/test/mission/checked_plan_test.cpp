@@ -76,9 +76,11 @@ TEST(CertificateOfTest, TellsCostAndWhatWasChecked) {
       certificateOf(plan));
   CheckedPlan longer = plan;
   longer.metrics.sum_of_costs = 5;
-  longer.proved_sum_of_costs = 3;
+  longer.least_sum_of_costs = 3;
   EXPECT_EQ("4 steps, sum of costs 5, at most 67 % above the least;",
             certificateOf(longer).substr(0, 54));
+  longer.least_sum_of_costs.reset();
+  EXPECT_EQ("4 steps, sum of costs 5;", certificateOf(longer).substr(0, 24));
 }
 
 TEST(StillFittingTest, TakesAPlanForRobotsThatHaveNotMoved) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,11 @@ namespace sylph {
 /// A plan that checkPlan() has accepted.
 struct CheckedPlan {
   Instance instance;
-  Plan plan;                        ///< checked against `instance`
-  std::vector<SocialState> social;  ///< one per joint action
-  PlanMetrics metrics;              ///< of `plan`
-  long proved_sum_of_costs = 0;     ///< no plan has less, as far as the planner looked
-  double planning_s = 0.0;          ///< by the clock of the mission's time limit [s]
+  Plan plan;                               ///< checked against `instance`
+  std::vector<SocialState> social;         ///< one per joint action
+  PlanMetrics metrics;                     ///< of `plan`
+  std::optional<long> least_sum_of_costs;  ///< no plan has less, as far as the planner looked
+  double planning_s = 0.0;                 ///< by the clock of the mission's time limit [s]
 };
 
 /// What a plan costs, and how far from the least that may be: "sum of costs 94, at most 2 % above
