@@ -46,8 +46,7 @@ std::vector<std::string> waitingLines(const AdgState& state) {
   std::vector<std::string> lines;
   if (state.mode != ExecutionMode::Run) {
     lines.push_back(std::string(state.mode == ExecutionMode::Pause ? "paused" : "stopped") +
-                    (state.message.empty() ? "" : ": " + state.message) +
-                    "; /sylph/resume goes on");
+                    (state.message.empty() ? "" : ": " + state.message) + "; sylph_resume goes on");
   } else if (!state.message.empty() && state.phase != ExecutionPhase::Refused) {
     lines.push_back(state.message);
   }

@@ -49,7 +49,7 @@ TEST(WaitingLinesTest, BeginWithAPause) {
   EXPECT_TRUE(waitingLines(state).empty());
   state.mode = ExecutionMode::Pause;
   state.message = "operator";
-  EXPECT_EQ("paused: operator; /sylph/resume goes on", waitingLines(state).front());
+  EXPECT_EQ("paused: operator; sylph_resume goes on", waitingLines(state).front());
 }
 
 TEST(WaitingLinesTest, BeginWithWhatTheCentralNodeHasToSay) {
