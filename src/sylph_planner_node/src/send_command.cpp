@@ -99,7 +99,14 @@ int SendCommand::showPlan(const sylph_msgs::ExecuteMissionGoal& goal) {
   }
   std::cout << "planning for up to " << goal.time_limit_s << " s" << std::endl;
   planner.sendGoal(goal);
+  ros::WallTime heard = ros::WallTime::now();
   while (ros::ok() && !planner.getState().isDone()) {
+    if (planner.isServerConnected()) {
+      heard = ros::WallTime::now();
+    } else if ((ros::WallTime::now() - heard).toSec() > request_.wait_s) {
+      throw std::runtime_error("the planner is gone: nobody serves the action " +
+                               nh_.resolveName(sylph_ros::kPlanMissionAction) + " any more");
+    }
     kPollPeriod.sleep();
   }
   const auto result = planner.getResult();
