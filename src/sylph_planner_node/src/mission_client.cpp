@@ -3,15 +3,18 @@
 #include <geometry_msgs/PoseStamped.h>
 #include <ros/names.h>
 
+#include <algorithm>
 #include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <future>
 #include <iostream>
 #include <memory>
+#include <mutex>
 #include <stdexcept>
 #include <thread>
 
+#include "sylph_core/text/join.hpp"
 #include "sylph_planner_node/mission_text.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/missions.hpp"
@@ -30,6 +33,56 @@ constexpr char kCaptureNode[] = "mocap_bridge";  ///< part of the names of its d
 
 void say(const std::string& text) {
   std::cout << text << std::endl;
+}
+
+/// Robots of which no pose has come yet. Callbacks are served by another thread.
+class AwaitedPoses {
+ public:
+  struct Robot {
+    std::string topic;
+    std::string body;
+  };
+
+  AwaitedPoses(const ros::NodeHandle& nh, const std::vector<sylph::RobotSpec>& robots) {
+    for (const sylph::RobotSpec& robot : robots) {
+      const std::string topic = sylph_ros::robotTopic(nh, robot.name, sylph_ros::kPoseTopic);
+      const boost::function<void(const geometry_msgs::PoseStampedConstPtr&)> note =
+          [waiting = waiting_, topic](const geometry_msgs::PoseStampedConstPtr&) {
+            const std::lock_guard<std::mutex> lock(waiting->mutex);
+            std::vector<Robot>& missing = waiting->robots;
+            missing.erase(std::remove_if(missing.begin(), missing.end(),
+                                         [&](const Robot& other) { return other.topic == topic; }),
+                          missing.end());
+          };
+      const std::lock_guard<std::mutex> lock(waiting_->mutex);
+      waiting_->robots.push_back({topic, robot.rigid_body});
+      subscribers_.push_back(
+          ros::NodeHandle(nh).subscribe<geometry_msgs::PoseStamped>(topic, 1, note));
+    }
+  }
+
+  /// In the order of the experiment.
+  std::vector<Robot> missing() const {
+    const std::lock_guard<std::mutex> lock(waiting_->mutex);
+    return waiting_->robots;
+  }
+
+ private:
+  struct Waiting {
+    std::mutex mutex;
+    std::vector<Robot> robots;
+  };
+  /// A callback may outlive this.
+  std::shared_ptr<Waiting> waiting_ = std::make_shared<Waiting>();
+  std::vector<ros::Subscriber> subscribers_;
+};
+
+std::string topicsOf(const std::vector<AwaitedPoses::Robot>& robots) {
+  return sylph::join(robots, ", ", [](const auto& robot) { return robot.topic; });
+}
+
+std::string bodiesOf(const std::vector<AwaitedPoses::Robot>& robots) {
+  return sylph::join(robots, ", ", [](const auto& robot) { return robot.body; });
 }
 
 /// Empty if the run has no folder.
@@ -145,31 +198,26 @@ void MissionClient::waitForServer(Clock::time_point deadline) {
 }
 
 void MissionClient::waitForPoses(Clock::time_point deadline) {
-  for (const sylph::RobotSpec& robot : experiment_.robots) {
-    const std::string topic = sylph_ros::robotTopic(nh_, robot.name, sylph_ros::kPoseTopic);
-    const auto has_come = std::make_shared<std::atomic<bool>>(false);
-    const boost::function<void(const geometry_msgs::PoseStampedConstPtr&)> note =
-        [has_come](const geometry_msgs::PoseStampedConstPtr&) { *has_come = true; };
-    const ros::Subscriber subscriber = nh_.subscribe<geometry_msgs::PoseStamped>(topic, 1, note);
-    Clock::time_point next_reminder = Clock::now() + seconds(options_.progress_period_s);
-    while (ros::ok() && !*has_come) {
-      if (Clock::now() > deadline) {
-        std::string message =
-            "no pose on " + topic + ": is " + robot.rigid_body + " seen by the motion capture?";
-        for (const std::string& finding : findings()) {
-          message += "\n    " + finding;
-        }
-        throw std::runtime_error(message);
+  const AwaitedPoses poses(nh_, experiment_.robots);
+  Clock::time_point next_reminder = Clock::now() + seconds(options_.progress_period_s);
+  for (auto missing = poses.missing(); ros::ok() && !missing.empty(); missing = poses.missing()) {
+    if (Clock::now() > deadline) {
+      std::string message = "no pose on " + topicsOf(missing) +
+                            (missing.size() == 1 ? ": is " : ": are ") + bodiesOf(missing) +
+                            " seen by the motion capture?";
+      for (const std::string& finding : findings()) {
+        message += "\n    " + finding;
       }
-      if (Clock::now() > next_reminder) {
-        say("waiting for a pose on " + topic);
-        for (const std::string& finding : findings()) {
-          say("    " + finding);
-        }
-        next_reminder += seconds(options_.progress_period_s);
-      }
-      std::this_thread::sleep_for(kPollPeriod);
+      throw std::runtime_error(message);
     }
+    if (Clock::now() > next_reminder) {
+      say("waiting for a pose on " + topicsOf(missing));
+      for (const std::string& finding : findings()) {
+        say("    " + finding);
+      }
+      next_reminder += seconds(options_.progress_period_s);
+    }
+    std::this_thread::sleep_for(kPollPeriod);
   }
 }
 

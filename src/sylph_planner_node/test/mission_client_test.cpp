@@ -104,6 +104,20 @@ TEST_F(MissionClientTest, SaysWhatTheMotionCaptureLacks) {
   }
 }
 
+TEST_F(MissionClientTest, NamesAllRobotsWithoutAPose) {
+  central_.silencePoseOf("robot_0");
+  central_.silencePoseOf("robot_1");
+  ros::NodeHandle("~hasty").setParam("start_timeout_s", 1.0);
+  MissionClient hasty(ros::NodeHandle("/sylph"), ros::NodeHandle("~hasty"));
+  try {
+    hasty.run();
+    FAIL() << "a mission without poses";
+  } catch (const std::runtime_error& error) {
+    EXPECT_EQ("no pose on /robot_0/pose, /robot_1/pose: are robot_0, robot_1 seen",
+              std::string(error.what()).substr(0, 66));
+  }
+}
+
 TEST_F(MissionClientTest, NamesANodeThatIsRegisteredByANameWhichThisComputerDoesNotKnow) {
   central_.silencePoseOf("robot_1");
   XmlRpc::XmlRpcValue request;
