@@ -237,26 +237,30 @@ void MissionClient::onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagno
 
 std::vector<std::string> MissionClient::findings() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<std::string> lines = unreachableNodes();
+  std::vector<std::string> lines = networkFindings();
   for (const auto& [name, line] : capture_findings_) {
     lines.push_back(line);
   }
   return lines;
 }
 
-const std::vector<std::string>& MissionClient::unreachableNodes() {
+const std::vector<std::string>& MissionClient::networkFindings() {
   if (reachability_.valid()) {
     if (reachability_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-      unreachable_ = reachability_.get();
+      network_findings_ = reachability_.get();
     }
   } else if (Clock::now() - reachability_asked_ > kReachabilityPeriod) {
     reachability_asked_ = Clock::now();
-    reachability_ =
-        std::async(std::launch::async, [fleet = ros::names::parentNamespace(nh_.getNamespace())] {
-          return sylph_ros::unreachablePublishers(fleet, kConnectTimeout);
+    reachability_ = std::async(
+        std::launch::async,
+        [fleet = ros::names::parentNamespace(nh_.getNamespace()), robots = namesOf(experiment_)] {
+          std::vector<std::string> lines = sylph_ros::robotsElsewhere(fleet, robots);
+          const auto unreachable = sylph_ros::unreachablePublishers(fleet, kConnectTimeout);
+          lines.insert(lines.end(), unreachable.begin(), unreachable.end());
+          return lines;
         });
   }
-  return unreachable_;
+  return network_findings_;
 }
 
 void MissionClient::sendMission() {
@@ -303,7 +307,7 @@ void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr&
   say(text);
   if (!feedback->waiting.empty()) {
     const std::lock_guard<std::mutex> lock(mutex_);
-    for (const std::string& line : unreachableNodes()) {
+    for (const std::string& line : networkFindings()) {
       say("    " + line);
     }
   }

@@ -6,6 +6,7 @@
 #include <ros/master.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
+#include <sylph_msgs/TaskReport.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
@@ -13,6 +14,8 @@
 #include <cstring>
 #include <memory>
 #include <set>
+
+#include "sylph_ros/topics.hpp"
 
 namespace sylph_ros {
 namespace {
@@ -126,6 +129,37 @@ std::vector<std::string> unreachablePublishers(const std::string& ns, double tim
       if (!line.empty()) {
         lines.push_back(line);
       }
+    }
+  }
+  return lines;
+}
+
+std::vector<std::string> robotsElsewhere(const std::string& ns,
+                                         const std::vector<std::string>& robots) {
+  ros::master::V_TopicInfo topics;
+  if (!ros::master::getTopics(topics)) {
+    return {};
+  }
+  std::vector<std::string> lines;
+  for (const std::string& robot : robots) {
+    const std::string name = "/" + robot + "/" + kTaskReportTopic;
+    const std::string wanted = ns == "/" ? name : ns + name;
+    std::string found;
+    for (const ros::master::TopicInfo& topic : topics) {
+      if (topic.name == wanted) {
+        found.clear();
+        break;
+      }
+      const bool ends_with =
+          topic.name.size() >= name.size() &&
+          topic.name.compare(topic.name.size() - name.size(), name.size(), name) == 0;
+      if (ends_with && topic.datatype == ros::message_traits::datatype<sylph_msgs::TaskReport>()) {
+        found = topic.name;
+      }
+    }
+    if (!found.empty()) {
+      lines.push_back(robot + " reports on " + found + ", and is waited for on " + wanted +
+                      ": is ROS_NAMESPACE set on one side only?");
     }
   }
   return lines;

@@ -6,6 +6,7 @@
 #include <ros/node_handle.h>
 #include <ros/xmlrpc_manager.h>
 #include <sylph_msgs/AdgState.h>
+#include <sylph_msgs/TaskReport.h>
 
 namespace sylph_ros {
 namespace {
@@ -46,6 +47,18 @@ TEST(ReachabilityTest, ANodeThatIsGoneDoesNotAnswer) {
 TEST(ReachabilityTest, WhatIsNoAddressIsSaid) {
   EXPECT_EQ("/cf1/robot is registered at 'rosrpc', which is no address",
             whyUnreachable("/cf1/robot", "rosrpc", kTimeout));
+}
+
+TEST(ReachabilityTest, ListsRobotsThatReportInAnotherNamespace) {
+  ros::NodeHandle nh;
+  const ros::Publisher here = nh.advertise<sylph_msgs::TaskReport>("/cf1/task_report", 1);
+  const ros::Publisher there = nh.advertise<sylph_msgs::TaskReport>("/hall/cf2/task_report", 1);
+  const ros::Publisher both = nh.advertise<sylph_msgs::TaskReport>("/hall/cf1/task_report", 1);
+  const ros::Publisher other = nh.advertise<sylph_msgs::AdgState>("/hall/cf3/task_report", 1);
+  EXPECT_EQ(std::vector<std::string>{"cf2 reports on /hall/cf2/task_report, and is waited for on "
+                                     "/cf2/task_report: is ROS_NAMESPACE set on one side only?"},
+            robotsElsewhere("/", {"cf1", "cf2", "cf3"}));
+  EXPECT_TRUE(robotsElsewhere("/hall", {"cf1", "cf2"}).empty());
 }
 
 TEST(ReachabilityTest, ListsPublishersOfTheFleetThatCannotBeReached) {

@@ -68,11 +68,11 @@ class MissionClient {
   void joinLockStep();
   void onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr& feedback);
   void printRunReport();
-  /// What may be why the mission waits, one line each: nodes that cannot be reached, and what the
-  /// motion capture says is wrong with it.
+  /// What may be why the mission waits, one line each: robots in another namespace, nodes that
+  /// cannot be reached, and what the motion capture says is wrong with it.
   std::vector<std::string> findings();
   /// Looks at most every ten seconds, in a thread: names may take long to look up. mutex_ is held.
-  const std::vector<std::string>& unreachableNodes();
+  const std::vector<std::string>& networkFindings();
 
   ros::NodeHandle nh_;
   ClientOptions options_;
@@ -85,7 +85,7 @@ class MissionClient {
   std::atomic<bool> is_accepted_{false};            ///< the mission, by the planner
   std::mutex mutex_;
   std::map<std::string, std::string> capture_findings_;  ///< by the name of the status
-  std::vector<std::string> unreachable_;                 ///< as of the last look
+  std::vector<std::string> network_findings_;            ///< as of the last look
   std::future<std::vector<std::string>> reachability_;   ///< a look that is under way
   Clock::time_point reachability_asked_;
   /// When the result that stood in the run folder before this mission was written.

@@ -20,4 +20,11 @@ std::string whyUnreachable(const std::string& node, const std::string& uri, doub
 /// @return one line per node, by name; none if the master does not answer
 std::vector<std::string> unreachablePublishers(const std::string& ns, double timeout_s);
 
+/// Robots whose nodes run in another namespace than the fleet's, as the master knows them: the
+/// usual cause is a ROS_NAMESPACE that is set on one computer only.
+/// @param ns  of the fleet, absolute, such as "/lab" or "/"
+/// @return one line per robot, in their order; none if the master does not answer
+std::vector<std::string> robotsElsewhere(const std::string& ns,
+                                         const std::vector<std::string>& robots);
+
 }  // namespace sylph_ros
