@@ -28,8 +28,8 @@ namespace {
 constexpr std::chrono::milliseconds kPollPeriod{50};
 constexpr char kReportFile[] = "result.yaml";
 constexpr std::chrono::seconds kReachabilityPeriod{10};
-constexpr double kConnectTimeout = 1.0;          // [s]
-constexpr char kCaptureNode[] = "mocap_bridge";  ///< part of the names of its diagnostics
+constexpr double kConnectTimeout = 1.0;             // [s]
+constexpr char kCaptureNode[] = "/mocap_bridge: ";  ///< before what its diagnostics are of
 
 void say(const std::string& text) {
   std::cout << text << std::endl;
@@ -224,7 +224,8 @@ void MissionClient::waitForPoses(Clock::time_point deadline) {
 void MissionClient::onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics) {
   const std::lock_guard<std::mutex> lock(mutex_);
   for (const diagnostic_msgs::DiagnosticStatus& status : diagnostics.status) {
-    if (status.name.find(kCaptureNode) == std::string::npos) {
+    // Named after their node, without the first slash; of another fleet's cameras nothing is said.
+    if (status.name.rfind(nh_.getNamespace().substr(1) + kCaptureNode, 0) != 0) {
       continue;
     }
     if (status.level == diagnostic_msgs::DiagnosticStatus::OK) {
@@ -306,8 +307,7 @@ void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr&
   printed_at_ = Clock::now();
   say(text);
   if (!feedback->waiting.empty()) {
-    const std::lock_guard<std::mutex> lock(mutex_);
-    for (const std::string& line : networkFindings()) {
+    for (const std::string& line : findings()) {
       say("    " + line);
     }
   }

@@ -88,10 +88,10 @@ TEST_F(MissionClientTest, SaysWhatTheMotionCaptureLacks) {
       ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1, true);
   diagnostic_msgs::DiagnosticArray diagnostics;
   diagnostics.status.resize(2);
-  diagnostics.status[0].name = "mocap_bridge: link";
+  diagnostics.status[0].name = "sylph/mocap_bridge: link";
   diagnostics.status[0].level = diagnostic_msgs::DiagnosticStatus::ERROR;
   diagnostics.status[0].message = "no frame from 192.168.1.2";
-  diagnostics.status[1].name = "mocap_bridge: bodies";
+  diagnostics.status[1].name = "sylph/mocap_bridge: bodies";
   diagnostics.status[1].message = "all bodies are seen";
   publisher.publish(diagnostics);
   try {
@@ -99,7 +99,7 @@ TEST_F(MissionClientTest, SaysWhatTheMotionCaptureLacks) {
     FAIL() << "a mission without poses";
   } catch (const std::runtime_error& error) {
     EXPECT_EQ(std::string("no pose on /robot_1/pose: is robot_1 seen by the motion capture?\n"
-                          "    mocap_bridge: link: no frame from 192.168.1.2"),
+                          "    sylph/mocap_bridge: link: no frame from 192.168.1.2"),
               error.what());
   }
 }
