@@ -6,6 +6,7 @@
 #include <limits>
 
 #include "sylph_core/geometry/segment.hpp"
+#include "sylph_core/text/join.hpp"
 #include "sylph_ros/conversions.hpp"
 #include "sylph_ros/missions.hpp"
 #include "sylph_rviz/conversions.hpp"
@@ -167,6 +168,10 @@ void OperatorModel::addMessage(OperatorView& view, double steady_s) const {
   if (hasState(steady_s) && !scene_.state->message.empty()) {
     view.message = scene_.state->message;
     view.is_alarm = true;
+  } else if (hasState(steady_s) && isPlanning(steady_s) && !isBusy(*scene_.state) &&
+             !feedback_->waiting.empty()) {
+    // What the planner waits for before there is a plan.
+    view.message = sylph::join(feedback_->waiting, "; ");
   } else if (result_) {
     view.message = sylph_ros::outcomeName(result_->outcome) + ": " + result_->message;
     view.is_alarm = result_->outcome != sylph_msgs::ExecuteMissionResult::SUCCESS;

@@ -196,6 +196,11 @@ TEST_F(OperatorModelTest, ShowsThePlannersPhaseAndHowTheMissionEnded) {
   feedback.phase = "planning";
   model.onFeedback(feedback, 0.0);
   EXPECT_EQ("planning", model.view(0.0, 0.0).headline);
+  feedback.phase = "waiting";
+  feedback.waiting = {"no pose of robot_1 has come", "robot_2 has no good pose"};
+  model.onFeedback(feedback, 0.0);
+  EXPECT_EQ("no pose of robot_1 has come; robot_2 has no good pose", model.view(0.0, 0.0).message);
+  EXPECT_FALSE(model.view(0.0, 0.0).is_alarm);
   EXPECT_EQ("a mission is under way: cancel it first", model.view(0.0, 0.0).start);
 
   sylph_msgs::ExecuteMissionResult result;
