@@ -124,7 +124,7 @@ std::optional<PlanAdmission::Decision> PlanAdmission::decideOnAlignment(
     }
     reasons.push_back(name + " " + *reason);
   }
-  return Decision{Verdict::Refuse, join(reasons, "; "), 0};
+  return Decision{Verdict::Refuse, join(reasons, "\n"), 0};
 }
 
 std::optional<std::string> PlanAdmission::faultOfMembers(const MissionPlan& plan) const {
@@ -186,7 +186,8 @@ std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& p
              std::to_string(present.plan->plan_id) + " that it has";
     }
   }
-  // All that are waited for: one that has no pose at this moment must not hide one that is not there.
+  // All that are waited for: one that has no pose at this moment must not hide one that is not
+  // there.
   std::vector<std::string> silent;
   std::vector<std::string> others;
   for (const std::string& member : pending_->robots) {
@@ -239,7 +240,7 @@ std::optional<std::string> PlanAdmission::reasonNotAtStart(const PresentExecutio
       reasons.push_back(name + " " + *reason);
     }
   }
-  return reasons.empty() ? std::nullopt : std::make_optional(join(reasons, "; "));
+  return reasons.empty() ? std::nullopt : std::make_optional(join(reasons, "\n"));
 }
 
 std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const Pose2d& pose) const {
@@ -255,7 +256,7 @@ std::optional<std::string> PlanAdmission::reasonNotIn(const Cell& start, const P
   char text[160];
   std::snprintf(text, sizeof(text),
                 "stands %.0f mm in x and %.0f mm in y off the centre of its start %s, turned by "
-                "%.0f deg: at most %.0f and %.0f mm are allowed, turned like that",
+                "%.0f deg: allowed are %.0f and %.0f mm, turned like that",
                 offset.x * 1e3, offset.y * 1e3, toString(start).c_str(),
                 pose.yaw_rad * 180.0 / M_PI, std::max(0.0, free.x) * 1e3,
                 std::max(0.0, free.y) * 1e3);

@@ -30,9 +30,9 @@ TEST_F(ExecutionStartTest, RefusesAStartOffTheCentre) {
   submit(queue(), 1);
   EXPECT_EQ(
       "plan 1: robot_1 stands 50 mm in x and 0 mm in y off the centre of its start (0,1), turned "
-      "by 0 deg: at most 27 and 42 mm are allowed, turned like that; robot_2 stands 0 mm in x and "
-      "0 mm in y off the centre of its start (0,2), turned by 29 deg: at most 0 and 0 mm are "
-      "allowed, turned like that",
+      "by 0 deg: allowed are 27 and 42 mm, turned like that\n"
+      "robot_2 stands 0 mm in x and 0 mm in y off the centre of its start (0,2), turned by 29 deg: "
+      "allowed are 0 and 0 mm, turned like that",
       execution_->message());
 }
 
