@@ -32,10 +32,11 @@ class Fleet:
         self.run_folder = os.path.join(folder, f"the run of {namespace}")
         self.arguments = ["rviz:=false", "report:=false", f"natnet_port:={natnet_port}", f"run_folder:={self.run_folder}"]
 
-    def start(self, experiment, *arguments, **environment):
+    def start(self, experiment, *arguments, output=None, **environment):
+        """output: a file for all that the terminal would show."""
         command = ["roslaunch", PACKAGE, "lab_experiment.launch", f"experiment:={experiment}"]
         self.process = subprocess.Popen(command + self.arguments + list(arguments), cwd=EXPERIMENTS,
-                                        env=dict(os.environ, **environment))  # fmt: skip
+                                        env=dict(os.environ, **environment), stdout=output, stderr=output)  # fmt: skip
 
     def end(self):
         if self.process.poll() is None:

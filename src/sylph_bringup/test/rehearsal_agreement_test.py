@@ -2,6 +2,7 @@
 """What the rehearsal says of a mission is what the same mission then does through all nodes and topics."""
 import json
 import os
+import re
 import subprocess
 import tempfile
 import unittest
@@ -19,6 +20,7 @@ PLANNER = "pibt"
 TIME_SHARE = 0.03  # by which execution times may differ
 ORDER_S = 0.5  # within which two robots may end their tasks in another order
 DEADLINE_S = 400.0
+TROUBLE = re.compile(r"\[(?: WARN|ERROR|FATAL)\]|\[(?:WARN|ERROR|FATAL)\] ")
 
 
 def done_at(path):
@@ -54,9 +56,16 @@ class RehearsalAgreementTest(unittest.TestCase):
         rehearsed, expected = self.rehearse()
         self.assertEqual("finished", rehearsed["ending"])
         fleet = Fleet("rehearsed", ROBOTS, 21680, self.folder)
-        fleet.start("lab_random", "ns:=rehearsed", f"seed:={SEED}", f"planner:={PLANNER}", "speed:=max", "record:=false")
-        self.addCleanup(fleet.end)
-        self.assertEqual(0, fleet.process.wait(DEADLINE_S))
+        terminal = os.path.join(self.folder, "terminal")
+        with open(terminal, "w", encoding="utf-8") as output:
+            fleet.start("lab_random", "ns:=rehearsed", f"seed:={SEED}", f"planner:={PLANNER}", "speed:=max", "record:=false", output=output)
+            self.addCleanup(fleet.end)
+            self.assertEqual(0, fleet.process.wait(DEADLINE_S))
+        with open(terminal, encoding="utf-8", errors="replace") as stream:
+            lines = stream.read().splitlines()
+        self.assertIn("SUCCESS", "".join(lines))
+        # Nothing went wrong: not before the first poses, and not while everything goes down.
+        self.assertEqual([], [line for line in lines if TROUBLE.search(line)])
         result = fleet.result()
         done = done_at(os.path.join(fleet.run_folder, "events.jsonl"))
         self.assertGreater(len(done), len(ROBOTS))
