@@ -111,6 +111,10 @@ Options readOptions(sylph_ros::ParameterReader& reader) {
   reader.read("report_rate_hz", options.report_rate_hz, {1.0, 500.0},
               "of `task_report`; not above `control_rate_hz`");
   reader.read("shutdown_s", options.shutdown_s, {0.0, 5.0}, "zeros sent before the node ends");
+  reader.read(
+      "poses_by_udp", options.poses_by_udp,
+      "over a network that loses packets: a lost pose does not hold up the next ones, as it "
+      "does over TCP");
   sylph_ros::readDiagnosticPeriod(reader);
   if (options.report_rate_hz > options.control_rate_hz) {
     throw reader.error("report_rate_hz", "must be at most control_rate_hz = " +

@@ -52,9 +52,13 @@ RobotNode::RobotNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_n
       clock_.advertise<sylph_msgs::TaskReport>(nh_, sylph_ros::kTaskReportTopic, 10);
   task_subscriber_ = clock_.subscribe<sylph_msgs::Task>(
       nh_, sylph_ros::kTaskTopic, 100, [this](const sylph_msgs::Task& task) { onTask(task); });
+  // Over TCP a lost pose holds up those behind it for longer than a robot may drive without one.
+  const ros::TransportHints pose_hints =
+      options_.poses_by_udp ? ros::TransportHints().unreliable().reliable().tcpNoDelay()
+                            : ros::TransportHints().tcpNoDelay();
   pose_subscriber_ = clock_.subscribe<geometry_msgs::PoseStamped>(
       nh_, sylph_ros::kPoseTopic, 1,
-      [this](const geometry_msgs::PoseStamped& pose) { onPose(pose); });
+      [this](const geometry_msgs::PoseStamped& pose) { onPose(pose); }, pose_hints);
   const ros::NodeHandle suite = sylph_ros::suiteHandle(nh_);
   adg_state_subscriber_ = clock_.subscribe<sylph_msgs::AdgState>(
       suite, sylph_ros::kAdgStateTopic, 1,

@@ -17,6 +17,7 @@ struct Options {
   std::string experiment;  ///< absolute path
   double control_rate_hz = 50.0;
   double report_rate_hz = 10.0;
+  bool poses_by_udp = false;                 ///< rather than by TCP
   double shutdown_s = 0.5;                   ///< zeros sent before the node goes down
   sylph::RobotControllerOptions controller;  ///< limits of the experiment
   sylph::Grid grid;                          ///< the experiment's map

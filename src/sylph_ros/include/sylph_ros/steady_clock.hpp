@@ -97,11 +97,12 @@ class SteadyClock {
     return Publisher(nh.advertise<Message>(topic, queue_size, is_latched), lock_step_);
   }
 
-  /// As ros::NodeHandle::subscribe(); in lock step `queue_size` is not used, since nothing is
-  /// dropped.
+  /// As ros::NodeHandle::subscribe(); in lock step `queue_size` and `hints` are not used, since
+  /// nothing is dropped.
   template <typename Message>
   ros::Subscriber subscribe(ros::NodeHandle nh, const std::string& topic, std::uint32_t queue_size,
-                            std::function<void(const Message&)> callback) const {
+                            std::function<void(const Message&)> callback,
+                            ros::TransportHints hints = ros::TransportHints().tcpNoDelay()) const {
     using Pointer = boost::shared_ptr<Message const>;
     boost::function<void(const Pointer&)> handle = [callback](const Pointer& message) {
       callback(*message);
@@ -109,14 +110,14 @@ class SteadyClock {
     if (lock_step_) {
       // Nothing is dropped: the box decides what is handled when.
       queue_size = 0;
+      hints = ros::TransportHints().tcpNoDelay();
       handle = [callback, box = lock_step_->open(nh.resolveName(topic)),
                 lock_step = lock_step_.get()](const Pointer& message) {
         box->push([callback, message] { callback(*message); });
         lock_step->onArrival();
       };
     }
-    return nh.subscribe<Message>(topic, queue_size, handle, ros::VoidConstPtr(),
-                                 ros::TransportHints().tcpNoDelay());
+    return nh.subscribe<Message>(topic, queue_size, handle, ros::VoidConstPtr(), hints);
   }
 
   /// Null unless the node is in lock step.
