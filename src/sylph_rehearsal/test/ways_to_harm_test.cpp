@@ -53,6 +53,15 @@ TEST(FalsePlaceTest, IsNotBelievedOfARobotThatWaitsForItsFirstTask) {
   }
 }
 
+TEST(FalsePlaceTest, IsNotBelievedOfARobotThatHasNotDrivenYet) {
+  for (std::uint32_t seed = 1; seed <= 5; ++seed) {
+    SCOPED_TRACE(seed);
+    const Rehearsal run = rehearse(passing(seed), {}, nullptr,
+                                   {simulated(sylph_sim::FaultKind::Jump, {0}, 0.3, 3.0, 0.031)});
+    EXPECT_EQ(Ending::Finished, run.ending) << run.cause;
+  }
+}
+
 TEST(CarriedRobotTest, GoesOnFromWhereTheOperatorHasConfirmedIt) {
   const Rehearsal run = rehearse(
       passing(1), {}, nullptr,

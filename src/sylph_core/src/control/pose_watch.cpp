@@ -19,6 +19,9 @@ constexpr double kClockRestart_s = 0.5;
 // Stamps of another machine may run a little ahead of this one's clock.
 constexpr double kStampAhead_s = 0.05;
 
+// Between two poses at rest there is less.
+constexpr double kMove_m = 0.005;
+
 }  // namespace
 
 TimedPose timedPose(const Pose2d& pose, double stamp_s, double age_s, double received_s) {
@@ -41,6 +44,8 @@ PoseVerdict PoseWatch::offer(const TimedPose& pose, const Pose2d& driven) {
   if (!isFinite(pose.pose)) {
     rejection_ = "pose is not finite";
     ++rejected_;
+    previous_.reset();
+    was_unseen_ = true;
     return PoseVerdict::NotFinite;
   }
   if (!last_) {
@@ -52,12 +57,21 @@ PoseVerdict PoseWatch::offer(const TimedPose& pose, const Pose2d& driven) {
   if (step_s <= 0.0 && !is_clock_new) {
     return PoseVerdict::Repeated;
   }
+  noteWay(pose);
   const bool is_possible = canBeAt(pose.pose, driven);
   if (is_possible && !is_clock_new) {
     take(pose);
     return PoseVerdict::Good;
   }
   return reject(pose, is_possible);
+}
+
+void PoseWatch::noteWay(const TimedPose& pose) {
+  if (previous_) {
+    was_unseen_ = was_unseen_ || pose.captured_s - previous_->captured_s > options_.timeout_s;
+    moves_ += distance(position(previous_->pose), position(pose.pose)) > kMove_m ? 1 : 0;
+  }
+  previous_ = pose;
 }
 
 bool PoseWatch::canBeAt(const Pose2d& pose, const Pose2d& driven) const {
@@ -122,6 +136,9 @@ void PoseWatch::take(const TimedPose& pose) {
   const bool was_blind = rejected_ >= options_.rejected_poses ||
                          (last_ && pose.received_s - last_->received_s > options_.timeout_s);
   last_ = pose;
+  previous_ = pose;
+  was_unseen_ = false;
+  moves_ = 0;
   other_place_.reset();
   consistent_ = 0;
   is_confirmed_ = false;

@@ -71,7 +71,7 @@ void RobotController::followTasks() {
 
 PoseVerdict RobotController::onPose(const TimedPose& pose) {
   const std::optional<TimedPose> before = watch_.last();
-  if (!isDriven() && !central_.has_tasks_to_come) {
+  if (!isDriven() && !central_.has_tasks_to_come && watch_.mayBeCarried()) {
     watch_.confirm();  // it has not driven and is not about to: it was put there
   }
   const std::optional<TimedPose> seen = watch_.seen();

@@ -23,6 +23,13 @@ class RobotAlignmentTest : public testing::Test {
     world_.run(0.2);
   }
 
+  /// Somebody puts it there, whose hands hide it meanwhile.
+  void put(const Pose2d& pose) {
+    world_.loseSightFor(0.3);
+    world_.pose = pose;
+    world_.run(0.3);
+  }
+
   double offset() const { return distance(world_.frame.toPoint({2, 0}), position(world_.pose)); }
 
   RobotWorld world_;
@@ -92,9 +99,8 @@ TEST_F(RobotAlignmentTest, HoldsWithoutTheCentralNodeAndWhenStopped) {
 }
 
 TEST_F(RobotAlignmentTest, StopsIfItsBaseDoesNotAnswer) {
-  world_.pose.yaw_rad = 0.0;
+  put({world_.pose.x_m, world_.pose.y_m, 0.0});
   world_.grip = 0.0;
-  world_.run(0.2);
   world_.is_aligning = true;
   world_.run(10.0);
   EXPECT_EQ(RobotState::Holding, world_.report().state);
@@ -108,9 +114,11 @@ TEST_F(RobotAlignmentTest, StopsSoonIfItsPoseIsThatOfAnotherBody) {
   world_.run(10.0);
   EXPECT_EQ(RobotState::Holding, world_.report().state);
   EXPECT_LT(std::abs(shortestAngle(start.yaw_rad, world_.pose.yaw_rad)), 0.3);
-  world_.other_body->yaw_rad = 0.0;
   world_.is_aligning = false;
   world_.run(0.5);
+  world_.loseSightFor(0.3);
+  world_.other_body->yaw_rad = 0.0;
+  world_.run(0.3);
   world_.is_aligning = true;
   world_.run(10.0);
   EXPECT_EQ(RobotState::Holding, world_.report().state);
@@ -128,8 +136,7 @@ TEST_F(RobotAlignmentTest, CarriesOutItsTasksAfterwards) {
 }
 
 TEST_F(RobotAlignmentTest, LeavesARobotWithTasksToThem) {
-  world_.pose = {world_.frame.toPoint({2, 0}).x, world_.frame.toPoint({2, 0}).y, 0.0};
-  world_.run(0.2);
+  put({world_.frame.toPoint({2, 0}).x, world_.frame.toPoint({2, 0}).y, 0.0});
   world_.sendEastward(2);
   world_.is_aligning = true;
   world_.run(4.0);
@@ -137,8 +144,7 @@ TEST_F(RobotAlignmentTest, LeavesARobotWithTasksToThem) {
 }
 
 TEST_F(RobotAlignmentTest, IsAlignedWhereItWasCarriedAfterAMission) {
-  world_.pose = {world_.frame.toPoint({2, 0}).x, world_.frame.toPoint({2, 0}).y, 0.0};
-  world_.run(0.2);
+  put({world_.frame.toPoint({2, 0}).x, world_.frame.toPoint({2, 0}).y, 0.0});
   world_.sendEastward(1);
   world_.run(3.0);
   ASSERT_EQ(1, world_.report().done);

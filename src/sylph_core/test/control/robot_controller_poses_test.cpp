@@ -123,6 +123,30 @@ TEST(RobotControllerTest, ARobotWithoutATaskIsWherePeoplePutIt) {
   EXPECT_NEAR(0.45, world.report().pose->x_m, 0.01);
 }
 
+TEST(RobotControllerTest, NobodyPutsARobotElsewhereInOneStep) {
+  RobotWorld world({2, 0});
+  world.run(0.2);
+  world.camera_offset.x_m = 0.0309;
+  world.run(1.2);
+  EXPECT_EQ(RobotState::Blind, world.report().state);
+  EXPECT_NEAR(0.15, world.report().pose->x_m, 0.001);
+  world.camera_offset.x_m = 0.0;
+  world.run(0.2);
+  EXPECT_EQ(RobotState::Idle, world.report().state);
+}
+
+TEST(RobotControllerTest, ARobotThatIsSeenOnItsWayWasCarried) {
+  RobotWorld world({2, 0});
+  world.run(0.2);
+  for (int k = 0; k < 10; ++k) {
+    world.pose.x_m += 0.03;  // 3 m/s
+    world.run(0.01);
+  }
+  world.run(0.3);
+  EXPECT_EQ(RobotState::Idle, world.report().state);
+  EXPECT_NEAR(0.45, world.report().pose->x_m, 0.01);
+}
+
 TEST(RobotControllerTest, ARobotThatIsAboutToDriveIsWhereItWasSeen) {
   RobotWorld world({2, 0});
   world.has_tasks_to_come = true;

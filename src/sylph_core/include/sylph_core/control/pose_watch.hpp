@@ -64,6 +64,10 @@ class PoseWatch {
   /// The operator has looked: where the robot is seen now, it is. The next pose there is believed.
   void confirm() { is_confirmed_ = other_place_.has_value(); }
 
+  /// Whether the robot may have been carried since it was believed last: it was out of sight, or
+  /// seen on its way. A place that it takes in one step, in sight, is none where somebody put it.
+  bool mayBeCarried() const { return was_unseen_ || moves_ >= kMovesOfCarrying; }
+
   /// Where the robot is seen that only the operator can confirm: nothing while it is believed, or
   /// seen there in fewer than `consistent_poses`.
   std::optional<Pose2d> placeToConfirm() const;
@@ -82,6 +86,9 @@ class PoseWatch {
   double age(double now_s) const;
 
  private:
+  static constexpr int kMovesOfCarrying = 3;
+
+  void noteWay(const TimedPose& pose);
   bool canBeAt(const Pose2d& pose, const Pose2d& driven) const;
   bool isSamePlace(const TimedPose& from, const TimedPose& to) const;
   PoseVerdict reject(const TimedPose& pose, bool may_be_true);
@@ -92,7 +99,10 @@ class PoseWatch {
   std::optional<TimedPose> last_;
   std::optional<TimedPose> seen_;
   std::optional<TimedPose> other_place_;
-  int consistent_ = 0;  // poses in a row at the other place
+  std::optional<TimedPose> previous_;  // good or not; nothing after one that is not finite
+  bool was_unseen_ = false;            // since the last good one
+  int moves_ = 0;                      // from one pose to the next, likewise
+  int consistent_ = 0;                 // poses in a row at the other place
   bool is_confirmed_ = false;
   int good_ = 0;
   int rejected_ = 0;
