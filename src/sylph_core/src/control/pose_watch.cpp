@@ -19,6 +19,9 @@ constexpr double kClockRestart_s = 0.5;
 // Stamps of another machine may run a little ahead of this one's clock.
 constexpr double kStampAhead_s = 0.05;
 
+// A place that was just too far away is not believed because the model of the base is a little off.
+constexpr double kReturn = 0.5;
+
 // Between two poses at rest there is less.
 constexpr double kMove_m = 0.005;
 
@@ -58,7 +61,8 @@ PoseVerdict PoseWatch::offer(const TimedPose& pose, const Pose2d& driven) {
     return PoseVerdict::Repeated;
   }
   noteWay(pose);
-  const bool is_possible = canBeAt(pose.pose, driven);
+  const bool was_elsewhere = other_place_ && rejected_ >= options_.rejected_poses;
+  const bool is_possible = canBeAt(pose.pose, driven, was_elsewhere ? kReturn : 1.0);
   if (is_possible && !is_clock_new) {
     take(pose);
     return PoseVerdict::Good;
@@ -74,14 +78,14 @@ void PoseWatch::noteWay(const TimedPose& pose) {
   previous_ = pose;
 }
 
-bool PoseWatch::canBeAt(const Pose2d& pose, const Pose2d& driven) const {
+bool PoseWatch::canBeAt(const Pose2d& pose, const Pose2d& driven, double share) const {
   const Pose2d& from = seen_->pose;
   const Vector2 way = displacement(position(from), position(driven));
   const double turn_rad = shortestAngle(from.yaw_rad, driven.yaw_rad);
   const double off_rad = std::abs(shortestAngle(driven.yaw_rad, pose.yaw_rad));
   return distanceToSegment(position(pose), position(from) + (1.0 - kSpread) * way,
-                           position(from) + (1.0 + kSpread) * way) <= options_.jump_m &&
-         off_rad <= options_.jump_rad + kSpread * std::abs(turn_rad);
+                           position(from) + (1.0 + kSpread) * way) <= share * options_.jump_m &&
+         off_rad <= share * options_.jump_rad + kSpread * std::abs(turn_rad);
 }
 
 bool PoseWatch::isSamePlace(const TimedPose& from, const TimedPose& to) const {

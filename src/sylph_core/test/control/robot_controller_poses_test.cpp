@@ -123,6 +123,24 @@ TEST(RobotControllerTest, ARobotWithoutATaskIsWherePeoplePutIt) {
   EXPECT_NEAR(0.45, world.report().pose->x_m, 0.01);
 }
 
+TEST(RobotControllerTest, AJumpIsNotBelievedBecauseTheBaseDroveLessThanItsModel) {
+  for (const double grip : {0.8, 0.9, 1.0}) {
+    SCOPED_TRACE(grip);
+    RobotWorld world({2, 0});
+    world.run(0.2);
+    world.sendEastward(4);
+    world.run(0.8);
+    world.grip = grip;
+    world.camera_offset.x_m = 0.031;
+    world.run(1.5);
+    EXPECT_EQ(RobotState::Blind, world.report().state);
+    world.grip = 1.0;
+    world.camera_offset.x_m = 0.0;
+    world.run(7.0);
+    EXPECT_EQ(4, world.report().done);
+  }
+}
+
 TEST(RobotControllerTest, NobodyPutsARobotElsewhereInOneStep) {
   RobotWorld world({2, 0});
   world.run(0.2);

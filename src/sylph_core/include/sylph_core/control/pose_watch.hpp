@@ -44,13 +44,13 @@ enum class PoseVerdict {
 /// Whether a robot may believe its pose.
 ///
 /// A pose is good if it is finite, newer than the last one, and where the robot was driven since it
-/// was seen: at most `jump_m` from where its commands lead it, give or take a tenth of the way. So
-/// a robot that was stuck just while it was not seen asks for the operator; if all of the way were
-/// believed, so would a jump back while it ramps to zero.
-/// One that is not good is ignored; several in a row, silence, old stamps,
-/// or a pose that does not change by a digit though the robot is told to move make it blind, until
-/// good poses return. However long nothing was seen, another place is believed only when the
-/// operator confirms it, since a body that is solved wrongly after an occlusion stays wrong.
+/// was seen: at most `jump_m` from where its commands lead it, give or take a tenth of the way;
+/// half of that for one that was seen elsewhere meanwhile. So a robot that was stuck just while it
+/// was not seen asks for the operator; if all of the way were believed, so would a jump back while
+/// it ramps to zero. One that is not good is ignored; several in a row, silence, old stamps, or a
+/// pose that does not change by a digit though the robot is told to move make it blind, until good
+/// poses return. However long nothing was seen, another place is believed only when the operator
+/// confirms it, since a body that is solved wrongly after an occlusion stays wrong.
 class PoseWatch {
  public:
   /// @throws std::invalid_argument unless the options are positive
@@ -89,7 +89,8 @@ class PoseWatch {
   static constexpr int kMovesOfCarrying = 3;
 
   void noteWay(const TimedPose& pose);
-  bool canBeAt(const Pose2d& pose, const Pose2d& driven) const;
+  /// @param share  of `jump_m` and `jump_rad` that it may be off
+  bool canBeAt(const Pose2d& pose, const Pose2d& driven, double share) const;
   bool isSamePlace(const TimedPose& from, const TimedPose& to) const;
   PoseVerdict reject(const TimedPose& pose, bool may_be_true);
   void take(const TimedPose& pose);
