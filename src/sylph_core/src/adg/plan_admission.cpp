@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <set>
+#include <utility>
 
 #include "sylph_core/mapf/check_plan.hpp"
 #include "sylph_core/text/format.hpp"
@@ -22,8 +23,8 @@ std::string offsetOf(const Pose2d& target, const RobotReport& report) {
 }  // namespace
 
 PlanAdmission::PlanAdmission(std::vector<std::string> robots, int rows, int cols,
-                             const CellFrame& frame, const ExecutionLimits& limits)
-    : names_(std::move(robots)), map_(rows, cols), frame_(frame), limits_(limits) {
+                             const CellFrame& frame, ExecutionLimits limits)
+    : names_(std::move(robots)), map_(rows, cols), frame_(frame), limits_(std::move(limits)) {
   for (std::size_t robot = 0; robot < names_.size(); ++robot) {
     indices_.emplace(names_[robot], robot);
   }
@@ -203,7 +204,7 @@ std::optional<std::string> PlanAdmission::reasonToWait(const PresentExecution& p
 }
 
 std::optional<std::string> PlanAdmission::reasonToWaitFor(std::size_t robot,
-                                                          const PresentExecution& present) const {
+                                                          const PresentExecution& present) {
   const RobotReport& report = *present.monitors[robot].report();
   if (report.state == RobotState::Blind || !report.pose) {
     return "has no good pose" + (report.detail.empty() ? std::string() : ": " + report.detail);

@@ -12,8 +12,6 @@
 namespace sylph {
 namespace {
 
-using test::queue;
-
 constexpr double kDegree = M_PI / 180.0;
 
 Footprint shippedRobot() {

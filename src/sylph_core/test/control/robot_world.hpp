@@ -53,7 +53,7 @@ class RobotWorld {
   PoseConfirmation stopConfirmAndResume() {
     mode = ExecutionMode::Stop;
     run(0.3);
-    const PoseConfirmation confirmation = controller.confirmPose(now_s);
+    PoseConfirmation confirmation = controller.confirmPose(now_s);
     mode = ExecutionMode::Run;
     run(0.3);
     return confirmation;

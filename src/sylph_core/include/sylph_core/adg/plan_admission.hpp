@@ -33,7 +33,7 @@ class PlanAdmission {
  public:
   /// @param robots  names of all robots of the lab
   PlanAdmission(std::vector<std::string> robots, int rows, int cols, const CellFrame& frame,
-                const ExecutionLimits& limits);
+                ExecutionLimits limits);
 
   /// Keeps a plan for decide(), in place of another one that waits.
   /// @return what is wrong with it whatever the robots do: it is then not kept
@@ -64,8 +64,8 @@ class PlanAdmission {
   std::optional<std::string> faultOfMembers(const MissionPlan& plan) const;
   std::optional<std::string> reasonToWait(const PresentExecution& present, double now_s) const;
   /// About a robot that reports; to follow its name.
-  std::optional<std::string> reasonToWaitFor(std::size_t robot,
-                                             const PresentExecution& present) const;
+  static std::optional<std::string> reasonToWaitFor(std::size_t robot,
+                                                    const PresentExecution& present);
   std::optional<std::string> reasonNotNew(const PresentExecution& present) const;
   /// Why a robot with this pose may not start in a cell, to follow its name.
   std::optional<std::string> reasonNotIn(const Cell& start, const Pose2d& pose) const;

@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "sylph_core/adg/execution_limits.hpp"
 #include "sylph_core/execution/robot_report.hpp"
@@ -11,7 +12,7 @@ namespace sylph {
 /// Watches over one robot: sorts out late reports, tells whether it is silent, blind or stuck.
 class RobotMonitor {
  public:
-  explicit RobotMonitor(const ExecutionLimits& limits) : limits_(limits) {}
+  explicit RobotMonitor(ExecutionLimits limits) : limits_(std::move(limits)) {}
 
   /// Takes a report unless it is late: not newer than the last one by stamp and id, while the robot
   /// is not silent.
