@@ -10,8 +10,8 @@ namespace sylph {
 namespace {
 
 // A robot that is turned further has rather a body whose axes are wrong.
-constexpr double kLargestTurn_rad = 0.785398163397448;
-constexpr double kTurnStep_rad = 0.0175;
+constexpr double kLargestTurn_rad = 0.785398163397448;  // 45 deg
+constexpr double kTurnStep_rad = 0.0175;                // 1 deg
 constexpr double kDriveStep_m = 0.004;
 // The corners of a robot that is turned by 45 deg come a little nearer at first.
 constexpr double kNearer_m = 0.002;

@@ -8,7 +8,7 @@ namespace {
 constexpr double kSpeed_mps = 0.03;
 // Of what is commanded, latency, lag and slip leave so much without an answer.
 constexpr double kUnanswered_m = 0.02;
-constexpr double kUnanswered_rad = 0.26;
+constexpr double kUnanswered_rad = 0.26;  // 15 deg
 
 }  // namespace
 

@@ -53,8 +53,7 @@ AlignmentLimits alignmentLimits(const Experiment& experiment) {
   // Turning moves a corner faster than driving moves the whole robot.
   const double corner_mps =
       execution.turn_rate_limit_radps * std::hypot(factors.length_m, factors.width_m) / 2.0;
-  const double blind_s =
-      std::max(execution.pose_timeout_s, execution.base_timeout_s) + execution.command_latency_s;
+  const double blind_s = requireSafetyMargin(experiment).overrun_m / execution.speed_limit_mps;
   return {footprintsOf(experiment), experiment.grid,
           execution.tracking_error_m + corner_mps * blind_s + separationLimits(experiment).limit_m};
 }

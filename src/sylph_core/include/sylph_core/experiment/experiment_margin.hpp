@@ -21,6 +21,7 @@ SafetyMargin requireSafetyMargin(const Experiment& experiment);
 StartLimits startLimits(const Experiment& experiment);
 /// Where robots may be aligned: with a clearance in which one that loses its pose or its node while
 /// it turns comes to rest, off its way by the tracking error.
+/// @throws std::runtime_error as requireSafetyMargin()
 AlignmentLimits alignmentLimits(const Experiment& experiment);
 
 /// A robot without part in a mission blocks the cells to which its footprint is so near [m], >= 0:
