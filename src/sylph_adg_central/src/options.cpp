@@ -1,7 +1,5 @@
 #include "sylph_adg_central/options.hpp"
 
-#include <memory>
-
 #include "sylph_core/experiment/experiment_margin.hpp"
 
 namespace sylph_adg_central {
@@ -34,11 +32,7 @@ CentralOptions readCentralOptions(sylph_ros::ParameterReader& reader) {
 CentralOptions loadCentralOptions(const ros::NodeHandle& private_nh,
                                   const sylph::Experiment& experiment) {
   CentralOptions options = sylph_ros::readStrictly(private_nh, readCentralOptions);
-  options.limits.start = sylph::startLimits(experiment);
-  if (options.align) {
-    options.limits.alignment =
-        std::make_shared<const sylph::AlignmentLimits>(sylph::alignmentLimits(experiment));
-  }
+  sylph::applyExperiment(experiment, options.align, options.limits);
   return options;
 }
 

@@ -37,10 +37,7 @@ sylph::RobotControllerOptions controllerOptions(const sylph::Experiment& experim
 sylph::ExecutionLimits limitsOf(const sylph::Experiment& experiment,
                                 const RehearsalOptions& options) {
   sylph::ExecutionLimits limits = options.limits;
-  limits.start = startLimits(experiment);
-  if (options.align) {
-    limits.alignment = std::make_shared<const sylph::AlignmentLimits>(alignmentLimits(experiment));
-  }
+  applyExperiment(experiment, options.align, limits);
   return limits;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -56,6 +57,12 @@ AlignmentLimits alignmentLimits(const Experiment& experiment) {
   const double blind_s = requireSafetyMargin(experiment).overrun_m / execution.speed_limit_mps;
   return {footprintsOf(experiment), experiment.grid,
           execution.tracking_error_m + corner_mps * blind_s + separationLimits(experiment).limit_m};
+}
+
+void applyExperiment(const Experiment& experiment, bool align, ExecutionLimits& limits) {
+  limits.start = startLimits(experiment);
+  limits.alignment =
+      align ? std::make_shared<const AlignmentLimits>(alignmentLimits(experiment)) : nullptr;
 }
 
 double bystanderDistance(const Experiment& lab) {

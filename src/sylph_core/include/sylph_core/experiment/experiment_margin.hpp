@@ -23,6 +23,10 @@ StartLimits startLimits(const Experiment& experiment);
 /// it turns comes to rest, off its way by the tracking error.
 /// @throws std::runtime_error as requireSafetyMargin()
 AlignmentLimits alignmentLimits(const Experiment& experiment);
+/// Gives the central node's limits what an experiment decides of them: `start`, and `alignment` if
+/// robots are to be aligned.
+/// @throws std::runtime_error as requireSafetyMargin()
+void applyExperiment(const Experiment& experiment, bool align, ExecutionLimits& limits);
 
 /// A robot without part in a mission blocks the cells to which its footprint is so near [m], >= 0:
 /// as the central node has it, which would refuse the plan.
