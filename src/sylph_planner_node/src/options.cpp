@@ -25,7 +25,7 @@ Options readOptions(sylph_ros::ParameterReader& reader) {
               "so many steps of the search are a planner's second, so that a plan depends on its "
               "seed and not on the machine; 0: wall time");
   reader.read("ignore_unseen_robots", options.limits.ignores_unseen_robots,
-              "plan although a robot without part in the mission is not seen");
+              "plan although a robot without part in the mission is not seen within `pose_wait_s`");
   sylph_ros::readDiagnosticPeriod(reader);
   return options;
 }

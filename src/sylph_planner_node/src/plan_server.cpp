@@ -80,18 +80,23 @@ void PlanServer::tick(bool is_mission_under_way) {
     start();
   } catch (const MissionFailure& failure) {
     waits_for_ = failure.what();
-    const double waited_s = clock_.now() - wanted_since_s_;
-    if (failure.outcome() != MissionOutcome::NoPose ||
-        waited_s > options_.limits.pose_wait_s * clock_.speed()) {
+    if (failure.outcome() != MissionOutcome::NoPose || hasWaitedForPoses()) {
       fail(failure);
     }
   }
 }
 
+bool PlanServer::hasWaitedForPoses() const {
+  return clock_.now() - wanted_since_s_ > options_.limits.pose_wait_s * clock_.speed();
+}
+
 void PlanServer::start() {
-  const sylph::MissionStart begin =
-      startOf(*wanted_, lab_.robots, poses_.judged(options_.pose_timeout_s),
-              options_.limits.ignores_unseen_robots, bystanderDistance(lab_));
+  const sylph::MissionStart begin = startOf(
+      *wanted_, lab_.robots, poses_.judged(options_.pose_timeout_s),
+      options_.limits.ignores_unseen_robots && hasWaitedForPoses(), bystanderDistance(lab_));
+  for (const std::string& line : begin.unseen) {
+    ROS_WARN("%s; it is ignored", line.c_str());
+  }
   waits_for_.clear();
   is_for_wanted_ = true;
   planning_ = std::async(std::launch::async, [mission = *wanted_, begin] {

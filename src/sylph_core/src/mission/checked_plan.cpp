@@ -6,9 +6,11 @@
 #include <limits>
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "sylph_core/mapf/check_plan.hpp"
 #include "sylph_core/text/format.hpp"
+#include "sylph_core/text/join.hpp"
 
 namespace sylph {
 namespace {
@@ -139,11 +141,14 @@ MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
                      const RobotPoses& poses, bool ignores_unseen_robots,
                      double bystander_distance_m) {
   const Configuration starts = startCells(mission, poses);
-  if (!ignores_unseen_robots) {
-    requireBystandersSeen(mission, lab, poses);
+  std::vector<std::string> unseen = unseenBystanders(mission, lab, poses);
+  if (!unseen.empty() && !ignores_unseen_robots) {
+    throw MissionFailure(
+        MissionOutcome::NoPose,
+        join(unseen, "\n") + "\nto go on without, set ignore_unseen_robots of the planner");
   }
   const CellOwners bystanders = cellsOfBystanders(mission, lab, poses, bystander_distance_m);
-  return {toInstance(mission, starts, bystanders), bystanders};
+  return {toInstance(mission, starts, bystanders), bystanders, std::move(unseen)};
 }
 
 CheckedPlan stillFitting(const Mission& mission, const Instance& instance,

@@ -226,8 +226,14 @@ void MissionLifecycle::tickPausing(double now_s) {
 }
 
 void MissionLifecycle::startPlanning(const RobotPoses& poses, double now_s) {
+  // A robot that is seen a moment later must not be taken for one that is not there.
+  const bool ignores_unseen_robots =
+      limits_.ignores_unseen_robots && now_s - stage_since_s_ > limits_.pose_wait_s;
   MissionStart start =
-      startOf(mission_, lab_, poses, limits_.ignores_unseen_robots, limits_.bystander_distance_m);
+      startOf(mission_, lab_, poses, ignores_unseen_robots, limits_.bystander_distance_m);
+  for (const std::string& line : start.unseen) {
+    say(Level::Warning, line + "; it is ignored");
+  }
   bystanders_ = std::move(start.bystanders);
   planned_robots_ = mission_.robots;
   if (shown_plan_) {

@@ -67,22 +67,19 @@ Configuration startCells(const Mission& mission, const RobotPoses& poses) {
   return cells;
 }
 
-void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>& lab,
-                           const RobotPoses& poses) {
-  std::string unseen;
+std::vector<std::string> unseenBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
+                                          const RobotPoses& poses) {
+  std::vector<std::string> unseen;
   for (const RobotSpec& robot : lab) {
     const auto measured = poses.find(robot.name);
     const bool is_seen = measured != poses.end() && measured->second.fault.empty();
     if (mission.indexOf(robot.name) == mission.robots.size() && !is_seen) {
-      unseen += (unseen.empty() ? "" : "\n") + robot.name +
-                " has no part in the mission, but might stand in its way: " +
-                (measured == poses.end() ? "no pose of it has come"
-                                         : "its pose " + measured->second.fault);
+      unseen.push_back(robot.name + " has no part in the mission, but might stand in its way: " +
+                       (measured == poses.end() ? "no pose of it has come"
+                                                : "its pose " + measured->second.fault));
     }
   }
-  if (!unseen.empty()) {
-    refuse(unseen + "\nto go on without, set ignore_unseen_robots of the planner");
-  }
+  return unseen;
 }
 
 CellOwners cellsOfBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,

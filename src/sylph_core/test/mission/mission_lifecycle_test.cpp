@@ -194,10 +194,14 @@ TEST_F(MissionLifecycleTest, WaitsForBystandersToBeSeen) {
   hear();
   EXPECT_EQ(Stage::Starting, lifecycle_.stage());
   ASSERT_EQ(1U, lifecycle_.progress().waiting.size());
-  EXPECT_EQ(0U, lifecycle_.progress().waiting.front().find("robot_2 has no part in the mission"));
+  const std::string reason =
+      "robot_2 has no part in the mission, but might stand in its way: no pose of it has come\n"
+      "to go on without, set ignore_unseen_robots of the planner";
+  EXPECT_EQ(reason, lifecycle_.progress().waiting.front());
   now_s_ += 5.1;
   hear();
   EXPECT_EQ(MissionOutcome::NoPose, result().outcome);
+  EXPECT_EQ(reason, result().message);
   EXPECT_EQ(0U, count<mission_command::Plan>());
 }
 
@@ -211,7 +215,15 @@ TEST_F(MissionLifecycleTest, GoesOnWithoutBystandersIfToldTo) {
   poses_.erase("robot_2");
   lifecycle_.begin(mission, now_s_);
   hear();
+  EXPECT_EQ(Stage::Starting, lifecycle_.stage()) << "its pose may be on its way";
+  EXPECT_EQ(1U, lifecycle_.progress().waiting.size());
+  now_s_ += 5.1;
+  hear();
   EXPECT_EQ(Stage::Planning, lifecycle_.stage());
+  EXPECT_EQ(
+      "robot_2 has no part in the mission, but might stand in its way: no pose of it has come; it "
+      "is ignored",
+      last<mission_command::Say>().text);
 }
 
 TEST_F(MissionLifecycleTest, EndsWhenTheCentralNodeFallsSilentUnderWay) {

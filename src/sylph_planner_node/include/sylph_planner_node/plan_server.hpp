@@ -47,6 +47,7 @@ class PlanServer {
   void onGoal();
   void onPreempt();
   void start();
+  bool hasWaitedForPoses() const;
   void onPlanned(sylph::PlanningOutcome outcome);
   void fail(const sylph::MissionFailure& failure);
   void publishFeedback(const std::string& phase);

@@ -48,13 +48,14 @@ Instance toInstance(const Mission& mission, const Configuration& starts,
 struct MissionStart {
   Instance instance;
   CellOwners bystanders;  ///< cells of robots without part in the mission, obstacles in `instance`
+  std::vector<std::string> unseen;  ///< what unseenBystanders() says of those that are ignored
 };
 
 /// @param lab                    robots that there are
 /// @param ignores_unseen_robots  goes on although one without part in the mission is not seen
 /// @param bystander_distance_m   as cellsOfBystanders() has it
-/// @throws MissionFailure (NoPose, BadRequest) as startCells(), requireBystandersSeen() and
-/// toInstance()
+/// @throws MissionFailure (NoPose, BadRequest) as startCells() and toInstance(), or with what
+/// unseenBystanders() says
 MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
                      const RobotPoses& poses, bool ignores_unseen_robots,
                      double bystander_distance_m);

@@ -24,7 +24,8 @@ struct MissionLimits {
   double pose_wait_s = 5.0;      ///< for poses to come when a mission starts
   double central_wait_s = 10.0;  ///< for the central node to be heard of
   double hold_wait_s = 10.0;     ///< for robots to hold after a cancellation
-  /// A robot of the lab without part in the mission may stand anywhere as long as it is not seen.
+  /// A robot of the lab without part in the mission that is not seen within `pose_wait_s` is taken
+  /// for one that stands in nobody's way.
   bool ignores_unseen_robots = false;
   /// A robot without part in the mission blocks the cells to which its footprint is so near, >= 0.
   double bystander_distance_m = 0.0;

@@ -25,11 +25,10 @@ using RobotPoses = std::map<std::string, RobotPose>;
 /// a free cell, or in the cell of another robot
 Configuration startCells(const Mission& mission, const RobotPoses& poses);
 
-/// A plan might lead through a robot that nobody sees.
-/// @throws MissionFailure (NoPose) with one line per robot of the lab without part in the mission
-/// whose pose is missing or faulty
-void requireBystandersSeen(const Mission& mission, const std::vector<RobotSpec>& lab,
-                           const RobotPoses& poses);
+/// Robots through which a plan might lead since nobody sees them: one line per robot of the lab
+/// without part in the mission whose pose is missing or faulty.
+std::vector<std::string> unseenBystanders(const Mission& mission, const std::vector<RobotSpec>& lab,
+                                          const RobotPoses& poses);
 
 /// The cells that robots of the lab without part in the mission stand on, as far as they have good
 /// poses, and who does: obstacles for everybody else. A footprint that reaches over an edge takes
