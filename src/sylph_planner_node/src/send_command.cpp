@@ -39,6 +39,7 @@ SendCommand::SendCommand(const ros::NodeHandle& nh, sylph::Experiment lab, SendR
     : nh_(nh),
       lab_(std::move(lab)),
       request_(std::move(request)),
+      participants_(withParticipants(lab_, request_.goals, request_.others_give_way)),
       clock_(sylph_ros::SteadyClock::ofSpectator(nh)),
       poses_(servedBy(nh, queue_), clock_) {
   status_subscriber_ = servedBy(nh, queue_)
@@ -62,16 +63,15 @@ int SendCommand::run() {
   }
   const sylph::RobotPoses poses = poses_.judged(kPoseTimeoutS * clock_.speed());
   poses_.stop();
-  const sylph::Configuration cells = startCells(toMission(lab_), poses);
-  const sylph::Experiment experiment = toExperiment(request_, lab_, cells);
-  const sylph::Experiment part =
-      withParticipants(experiment, request_.goals, request_.others_give_way);
-  const sylph::Mission mission = toMission(part);
+  const sylph::Experiment experiment =
+      toExperiment(request_, participants_, startCells(toMission(participants_), poses));
+  const sylph::Mission mission = toMission(experiment);
   requireGoals(mission);
-  startOf(mission, lab_.robots, poses, false, bystanderDistance(lab_));
-  const sylph_msgs::ExecuteMissionGoal goal = sylph_ros::toGoal(part);
+  startOf(mission, lab_.robots, poses, true, bystanderDistance(lab_));
+  const sylph_msgs::ExecuteMissionGoal goal = sylph_ros::toGoal(experiment);
   if (!request_.save_path.empty()) {
-    saveExperiment(experiment, request_.save_path);
+    saveExperiment(toExperiment(request_, lab_, startCells(toMission(lab_), poses)),
+                   request_.save_path);
     std::cout << request_.save_path << " is written" << std::endl;
   }
   const std::string headline =
@@ -128,9 +128,14 @@ int SendCommand::showPlan(const sylph_msgs::ExecuteMissionGoal& goal) {
 void SendCommand::waitUntilReady() {
   const ros::WallTime begin = ros::WallTime::now();
   ros::WallTime next_reminder = begin + ros::WallDuration(kReminderPeriodS);
-  for (auto missing = whatIsMissing(); missing && ros::ok(); missing = whatIsMissing()) {
+  for (auto missing = whatIsMissing(lab_); missing && ros::ok(); missing = whatIsMissing(lab_)) {
     const ros::WallTime now = ros::WallTime::now();
     if ((now - begin).toSec() > request_.wait_s) {
+      // Whether it can be done without the others the planner decides, but an experiment has all.
+      missing = whatIsMissing(request_.save_path.empty() ? participants_ : lab_);
+      if (!missing) {
+        break;
+      }
       throw std::runtime_error(*missing);
     }
     if (now > next_reminder) {
@@ -144,7 +149,7 @@ void SendCommand::waitUntilReady() {
   }
 }
 
-std::optional<std::string> SendCommand::whatIsMissing() const {
+std::optional<std::string> SendCommand::whatIsMissing(const sylph::Experiment& robots) const {
   if (!status_) {
     return "no planner: nobody serves the action " +
            nh_.resolveName(sylph_ros::kExecuteMissionAction);
@@ -152,7 +157,7 @@ std::optional<std::string> SendCommand::whatIsMissing() const {
   const sylph::RobotPoses poses = poses_.judged(kPoseTimeoutS * clock_.speed());
   std::vector<std::string> unseen;
   std::string fault;
-  for (const std::string& robot : namesOf(lab_)) {
+  for (const std::string& robot : namesOf(robots)) {
     const auto pose = poses.find(robot);
     if (pose == poses.end() || !pose->second.fault.empty()) {
       unseen.push_back(robot);

@@ -2,9 +2,6 @@
 
 #include <gtest/gtest.h>
 #include <ros/master.h>
-#include <ros/network.h>
-#include <ros/this_node.h>
-#include <ros/xmlrpc_manager.h>
 
 #include <atomic>
 #include <cstdlib>
@@ -20,24 +17,6 @@ namespace sylph_planner_node {
 namespace {
 
 using sylph_msgs::AdgState;
-
-/// Asks a node to shut down, as `rosnode kill` does.
-bool shutDown(const std::string& node) {
-  XmlRpc::XmlRpcValue request;
-  XmlRpc::XmlRpcValue response;
-  XmlRpc::XmlRpcValue payload;
-  request[0] = ros::this_node::getName();
-  request[1] = node;
-  std::string host;
-  std::uint32_t port = 0;
-  if (!ros::master::execute("lookupNode", request, response, payload, false) ||
-      !ros::network::splitURI(payload, host, port)) {
-    return false;
-  }
-  request[1] = "asked for by a test";
-  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
-  return client.execute("shutdown", request, response);
-}
 
 class MissionClientTest : public PlannerFixture {
  protected:

@@ -2,7 +2,14 @@
 
 #include <actionlib/client/simple_action_client.h>
 #include <gtest/gtest.h>
+#include <ros/master.h>
+#include <ros/network.h>
+#include <ros/this_node.h>
+#include <ros/xmlrpc_manager.h>
 #include <sylph_msgs/ExecuteMissionAction.h>
+
+#include <cstdint>
+#include <string>
 
 #include "mission/small_lab.hpp"
 #include "mock_central.hpp"
@@ -11,6 +18,24 @@
 namespace sylph_planner_node {
 
 using sylph_ros::waitUntil;
+
+/// Asks a node to shut down, as `rosnode kill` does.
+inline bool shutDown(const std::string& node) {
+  XmlRpc::XmlRpcValue request;
+  XmlRpc::XmlRpcValue response;
+  XmlRpc::XmlRpcValue payload;
+  request[0] = ros::this_node::getName();
+  request[1] = node;
+  std::string host;
+  std::uint32_t port = 0;
+  if (!ros::master::execute("lookupNode", request, response, payload, false) ||
+      !ros::network::splitURI(payload, host, port)) {
+    return false;
+  }
+  request[1] = "asked for by a test";
+  XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
+  return client.execute("shutdown", request, response);
+}
 
 /// The node under test runs beside this program; central node, robots and motion capture are mocks.
 class PlannerFixture : public testing::Test {
@@ -34,6 +59,13 @@ class PlannerFixture : public testing::Test {
 
   bool waitForPhase(std::uint8_t phase) {
     return waitUntil([&] { return central_.state().phase == phase; });
+  }
+
+  /// The node under test has read its parameters anew when this returns, as after a crash.
+  bool startPlannerAgain() {
+    return shutDown("/sylph/sylph_planner") &&
+           waitUntil([this] { return !client_.isServerConnected(); }) &&
+           waitUntil([this] { return client_.isServerConnected(); });
   }
 
   MockCentral central_{sylph::smallMission(), sylph::smallStarts()};

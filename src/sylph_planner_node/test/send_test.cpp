@@ -80,12 +80,38 @@ TEST_F(SendTest, SaysInOneLineWhatIsWrongWithAGoal) {
 
 TEST_F(SendTest, SaysWhatItWaitsFor) {
   central_.silencePoseOf("robot_1");
-  const Outcome outcome = send("--wait 3 robot_0:=2,1");
+  const Outcome outcome = send("--wait 3 robot_1:=2,2");
   EXPECT_EQ(1, outcome.status);
   EXPECT_EQ(
       "waiting: no good pose of robot_1 (none has come)\n"
       "sylph_send: no good pose of robot_1 (none has come)\n",
       outcome.said);
+}
+
+TEST_F(SendTest, LeavesItToThePlannerWhetherItGoesOnWithoutARobotThatStays) {
+  central_.silencePoseOf("robot_2");
+  const Outcome refused = send("--wait 1 robot_0:=2,1");
+  EXPECT_EQ(1, refused.status);
+  EXPECT_NE(std::string::npos, refused.said.find("NO_POSE: robot_2 has no part in the mission"))
+      << refused.said;
+  EXPECT_NE(std::string::npos, refused.said.find("set ignore_unseen_robots of the planner"));
+  ros::NodeHandle planner("/sylph/sylph_planner");
+  planner.setParam("ignore_unseen_robots", true);
+  ASSERT_TRUE(startPlannerAgain());
+  const Outcome outcome = send("--wait 1 robot_0:=2,1");
+  planner.setParam("ignore_unseen_robots", false);
+  EXPECT_TRUE(startPlannerAgain());
+  EXPECT_EQ(0, outcome.status) << outcome.said;
+  EXPECT_EQ((sylph::Cell{2, 1}), cellOf(0));
+}
+
+TEST_F(SendTest, SavesNoExperimentWithoutARobot) {
+  central_.silencePoseOf("robot_2");
+  const std::string path = testing::TempDir() + "sylph_send_unseen.yaml";
+  const Outcome refused = send("--wait 1 --save " + path + " robot_0:=2,1");
+  EXPECT_EQ(1, refused.status);
+  EXPECT_EQ("sylph_send: no good pose of robot_2 (none has come)\n", refused.said);
+  EXPECT_FALSE(std::filesystem::exists(path));
 }
 
 TEST_F(SendTest, EndsAsItsMissionDoes) {

@@ -101,7 +101,8 @@ sylph::Experiment GoalDraft::experiment(const sylph::RobotPoses& poses) const {
 }
 
 sylph::Experiment GoalDraft::mission(const sylph::RobotPoses& poses) const {
-  return withParticipants(experiment(poses), goals_, others_give_way_);
+  const sylph::Experiment part = withParticipants(lab_, goals_, others_give_way_);
+  return withGoals(part, goals_, startCells(toMission(part), poses));
 }
 
 }  // namespace sylph_rviz

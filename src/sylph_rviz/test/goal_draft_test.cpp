@@ -75,6 +75,10 @@ TEST_F(GoalDraftTest, MakesAMissionOfThoseThatHaveAGoal) {
   draft.setOthersGiveWay(true);
   EXPECT_EQ(3U, draft.mission(poses).robots.size());
   poses.erase("robot_0");
+  draft.setOthersGiveWay(false);
+  EXPECT_EQ(std::vector<std::string>{"robot_1"}, namesOf(draft.mission(poses)))
+      << "the planner decides whether it goes on without robot_0";
+  draft.setOthersGiveWay(true);
   EXPECT_EQ("2: no pose of robot_0 has come", sylph::failureOf([this] { draft.mission(poses); }));
 }
 

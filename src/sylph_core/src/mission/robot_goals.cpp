@@ -17,14 +17,14 @@ Experiment withGoals(const Experiment& lab, const RobotGoals& goals, const Confi
   return mission;
 }
 
-Experiment withParticipants(Experiment mission, const RobotGoals& goals, bool others_give_way) {
+Experiment withParticipants(Experiment lab, const RobotGoals& goals, bool others_give_way) {
   if (!others_give_way) {
-    mission.robots.erase(
-        std::remove_if(mission.robots.begin(), mission.robots.end(),
+    lab.robots.erase(
+        std::remove_if(lab.robots.begin(), lab.robots.end(),
                        [&](const RobotSpec& robot) { return goals.count(robot.name) == 0; }),
-        mission.robots.end());
+        lab.robots.end());
   }
-  return mission;
+  return lab;
 }
 
 std::string headlineOf(const RobotGoals& goals, std::size_t robots, bool others_give_way) {

@@ -37,13 +37,15 @@ class SendCommand {
 
  private:
   void waitUntilReady();
-  std::optional<std::string> whatIsMissing() const;
+  /// @param robots  whose robots have to be seen
+  std::optional<std::string> whatIsMissing(const sylph::Experiment& robots) const;
   int showPlan(const sylph_msgs::ExecuteMissionGoal& goal);
 
   ros::NodeHandle nh_;
   ros::CallbackQueue queue_;  ///< of poses and status, served by run()
   sylph::Experiment lab_;
   SendRequest request_;
+  sylph::Experiment participants_;  ///< of the lab, those with part in the mission
   sylph_ros::SteadyClock clock_;
   PoseListener poses_;
   ros::Subscriber status_subscriber_;

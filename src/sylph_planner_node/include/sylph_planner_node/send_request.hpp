@@ -30,8 +30,9 @@ struct SendRequest {
 sylph::RobotGoals readGoals(const std::vector<std::string>& arguments,
                             const sylph::Experiment& lab);
 
-/// The mission as an experiment, with all robots of the lab: those without a goal stay.
-/// @param cells  where the robots of the lab are, in their order
+/// The mission as an experiment, with all robots of `lab`: those without a goal stay.
+/// @param lab    or those of its robots that have part in the mission
+/// @param cells  where its robots are, in their order
 sylph::Experiment toExperiment(const SendRequest& request, const sylph::Experiment& lab,
                                const sylph::Configuration& cells);
 

@@ -44,8 +44,8 @@ class GoalDraft {
   /// An experiment of all robots of the lab, from where they are; those without a goal stay.
   /// @throws sylph::MissionFailure (NoPose) if it is not known where
   sylph::Experiment experiment(const sylph::RobotPoses& poses) const;
-  /// Those of it that have part in the mission.
-  /// @throws sylph::MissionFailure (NoPose) if it is not known where the robots of the lab are
+  /// The same of the robots that have part in the mission.
+  /// @throws sylph::MissionFailure (NoPose) if it is not known where these are
   sylph::Experiment mission(const sylph::RobotPoses& poses) const;
 
  private:

@@ -13,12 +13,13 @@ using RobotGoals = std::map<std::string, Cell>;
 
 /// The mission to these goals as an experiment, with all robots of the lab: those without a goal
 /// stay.
-/// @param cells  where the robots of the lab are, in their order
+/// @param lab    or withParticipants() of it
+/// @param cells  where its robots are, in their order
 Experiment withGoals(const Experiment& lab, const RobotGoals& goals, const Configuration& cells);
 
-/// Those of its robots that have part in it: all if robots without a goal give way.
-/// @param mission  of withGoals()
-Experiment withParticipants(Experiment mission, const RobotGoals& goals, bool others_give_way);
+/// Those of its robots that have part in a mission to these goals: all if robots without a goal
+/// give way.
+Experiment withParticipants(Experiment lab, const RobotGoals& goals, bool others_give_way);
 
 /// "robot_0 to (0,4), robot_2 to (1,1); 6 robots stay".
 /// @param robots  that the lab has
