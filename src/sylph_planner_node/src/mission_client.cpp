@@ -202,19 +202,15 @@ void MissionClient::waitForPoses(Clock::time_point deadline) {
   Clock::time_point next_reminder = Clock::now() + seconds(options_.progress_period_s);
   for (auto missing = poses.missing(); ros::ok() && !missing.empty(); missing = poses.missing()) {
     if (Clock::now() > deadline) {
-      std::string message = "no pose on " + topicsOf(missing) +
-                            (missing.size() == 1 ? ": is " : ": are ") + bodiesOf(missing) +
-                            " seen by the motion capture?";
-      for (const std::string& finding : findings()) {
-        message += "\n    " + finding;
-      }
-      throw std::runtime_error(message);
+      // The planner refuses the mission, and the run folder gets a result that says why.
+      say("no pose on " + topicsOf(missing) + (missing.size() == 1 ? ": is " : ": are ") +
+          bodiesOf(missing) + " seen by the motion capture?");
+      sayFindings();
+      return;
     }
     if (Clock::now() > next_reminder) {
       say("waiting for a pose on " + topicsOf(missing));
-      for (const std::string& finding : findings()) {
-        say("    " + finding);
-      }
+      sayFindings();
       next_reminder += seconds(options_.progress_period_s);
     }
     std::this_thread::sleep_for(kPollPeriod);
@@ -236,13 +232,14 @@ void MissionClient::onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagno
   }
 }
 
-std::vector<std::string> MissionClient::findings() {
+void MissionClient::sayFindings() {
   const std::lock_guard<std::mutex> lock(mutex_);
-  std::vector<std::string> lines = networkFindings();
-  for (const auto& [name, line] : capture_findings_) {
-    lines.push_back(line);
+  for (const std::string& line : networkFindings()) {
+    say("    " + line);
   }
-  return lines;
+  for (const auto& [name, line] : capture_findings_) {
+    say("    " + line);
+  }
 }
 
 const std::vector<std::string>& MissionClient::networkFindings() {
@@ -307,9 +304,7 @@ void MissionClient::onFeedback(const sylph_msgs::ExecuteMissionFeedbackConstPtr&
   printed_at_ = Clock::now();
   say(text);
   if (!feedback->waiting.empty()) {
-    for (const std::string& line : findings()) {
-      say("    " + line);
-    }
+    sayFindings();
   }
 }
 

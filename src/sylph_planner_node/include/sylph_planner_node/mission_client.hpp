@@ -25,7 +25,8 @@ namespace sylph_planner_node {
 /// Parameters of sylph_mission besides those of sylph_ros::loadExperiment().
 struct ClientOptions {
   bool exit_when_done = true;     ///< false: keeps running after the result, so that the rest stays
-  double start_timeout_s = 60.0;  ///< wall time for action server and poses to appear
+  double start_timeout_s = 60.0;  ///< wall time for action server and poses to appear; without
+                                  ///< poses the planner is asked all the same
   double progress_period_s = 2.0;  ///< wall time between progress lines when nothing changes
   double report_wait_s = 5.0;      ///< wall time for result.yaml to be written
 };
@@ -47,7 +48,7 @@ class MissionClient {
 
   /// Runs the whole mission. Callbacks must be served by another thread.
   /// @return whether all robots have arrived
-  /// @throws std::runtime_error if the planner or a robot's pose does not appear in time
+  /// @throws std::runtime_error if the planner does not appear in time or does not come back
   bool run();
 
   /// Whether the command ends with the mission.
@@ -58,6 +59,7 @@ class MissionClient {
   using Clock = std::chrono::steady_clock;
 
   void waitForServer(Clock::time_point deadline);
+  /// Returns at the deadline too.
   void waitForPoses(Clock::time_point deadline);
   void sendMission();
   /// Returns when the mission has ended. A planner that was started again gets the mission anew: it
@@ -70,7 +72,7 @@ class MissionClient {
   void printRunReport();
   /// What may be why the mission waits, one line each: robots in another namespace, nodes that
   /// cannot be reached, and what the motion capture says is wrong with it.
-  std::vector<std::string> findings();
+  void sayFindings();
   /// Looks at most every ten seconds, in a thread: names may take long to look up. mutex_ is held.
   const std::vector<std::string>& networkFindings();
 
