@@ -1,12 +1,31 @@
+#include <fcntl.h>
 #include <sylph_msgs/ExecuteMissionActionResult.h>
+#include <unistd.h>
 
+#include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <string>
 
 #include "central_fixture.hpp"
 
 namespace sylph_adg_central {
 namespace {
+
+/// From now on writing to a file that this process has open fails as it does on a full disk.
+/// @return to how many descriptors that happens
+int fillDiskUnder(const std::string& path) {
+  const int full = open("/dev/full", O_WRONLY | O_CLOEXEC);
+  int filled = 0;
+  for (const auto& entry : std::filesystem::directory_iterator("/proc/self/fd")) {
+    std::error_code is_closed;
+    if (std::filesystem::read_symlink(entry.path(), is_closed) == path) {
+      filled += dup2(full, std::stoi(entry.path().filename())) < 0 ? 0 : 1;
+    }
+  }
+  close(full);
+  return filled;
+}
 
 /// What a central node keeps in the folder of its run, and what one that starts again makes of it.
 class RunFolderTest : public CentralNodeTest {};
@@ -110,6 +129,25 @@ TEST_F(RunFolderTest, BreaksAMissionOffThatCannotBeWrittenDown) {
   send(jointActions(mission(), names_, 2));
   ASSERT_TRUE(spinUntil([&] { return state_.plan_id == 2; }));
   EXPECT_EQ(AdgState::REFUSED, state_.phase);
+}
+
+TEST_F(RunFolderTest, BreaksAMissionOffOnAFullDisk) {
+  pace_s_ = 0.1;
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robots_[1]->done() >= 1; }));
+  ASSERT_EQ(1, fillDiskUnder(folder_ + "/events.jsonl"));
+  ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
+  EXPECT_EQ(folder_ + "/events.jsonl: cannot be written: No space left on device", state_.message);
+  EXPECT_TRUE(call(sylph_ros::kStopService));
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::STOP; }));
+}
+
+TEST_F(RunFolderTest, SaysThatTheDiskIsFullForItsResult) {
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return state_.plan_id == 1; }));
+  std::filesystem::create_symlink("/dev/full", folder_ + "/result.yaml");
+  ASSERT_TRUE(spinUntilPhase(AdgState::REFUSED));
+  EXPECT_EQ(folder_ + "/result.yaml: cannot be written: No space left on device", state_.message);
 }
 
 }  // namespace
