@@ -1,7 +1,12 @@
 #include "sylph_rviz/conversions.hpp"
 
+#include <ros/console.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+
+#include "sylph_ros/plan_messages.hpp"
 
 namespace sylph_rviz {
 
@@ -28,6 +33,18 @@ std::optional<MapExtent> extentOf(const nav_msgs::OccupancyGrid& message) {
                    static_cast<int>(message.info.width),
                    static_cast<double>(message.info.resolution),
                    {message.info.origin.position.x, message.info.origin.position.y}};
+}
+
+std::optional<sylph::MissionPlan> planOf(const sylph_msgs::JointActions& message) {
+  if (message.plan_id == 0) {
+    return std::nullopt;
+  }
+  try {
+    return sylph_ros::fromMessage(message);
+  } catch (const std::invalid_argument& error) {
+    ROS_WARN_THROTTLE(1.0, "dropped plan %u: %s", message.plan_id, error.what());
+    return std::nullopt;
+  }
 }
 
 geometry_msgs::PolygonStamped footprintOf(const RobotView& robot) {

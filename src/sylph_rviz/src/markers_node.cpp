@@ -3,34 +3,14 @@
 #include <ros/console.h>
 #include <std_msgs/String.h>
 
-#include <optional>
-#include <stdexcept>
 #include <utility>
 
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/parameters.hpp"
-#include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_rviz {
-
-namespace {
-
-/// Nothing if there is none, or it is not one.
-std::optional<sylph::MissionPlan> planOf(const sylph_msgs::JointActions& message) {
-  if (message.plan_id == 0) {
-    return std::nullopt;
-  }
-  try {
-    return sylph_ros::fromMessage(message);
-  } catch (const std::invalid_argument& error) {
-    ROS_WARN_THROTTLE(1.0, "dropped plan %u: %s", message.plan_id, error.what());
-    return std::nullopt;
-  }
-}
-
-}  // namespace
 
 MarkersNode::MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),

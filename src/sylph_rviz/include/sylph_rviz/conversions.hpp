@@ -2,6 +2,7 @@
 
 #include <geometry_msgs/PolygonStamped.h>
 #include <nav_msgs/OccupancyGrid.h>
+#include <sylph_msgs/JointActions.h>
 
 #include <optional>
 
@@ -15,6 +16,9 @@ Scene sceneOf(const sylph::Experiment& experiment);
 
 /// @return nothing if the map is empty or its resolution not positive
 std::optional<MapExtent> extentOf(const nav_msgs::OccupancyGrid& message);
+
+/// @return nothing if the message withdraws a plan, or holds none that is one, which is logged
+std::optional<sylph::MissionPlan> planOf(const sylph_msgs::JointActions& message);
 
 /// The rectangle of a robot's footprint in its own frame, stamp 0.
 geometry_msgs::PolygonStamped footprintOf(const RobotView& robot);
