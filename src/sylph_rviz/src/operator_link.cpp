@@ -5,6 +5,7 @@
 #include <ros/service.h>
 #include <std_msgs/String.h>
 #include <sylph_msgs/AdgState.h>
+#include <sylph_msgs/JointActions.h>
 
 #include <chrono>
 #include <exception>
@@ -15,6 +16,7 @@
 #include "sylph_ros/measured_pose.hpp"
 #include "sylph_ros/missions.hpp"
 #include "sylph_ros/topics.hpp"
+#include "sylph_rviz/conversions.hpp"
 #include "sylph_rviz/layers.hpp"
 
 namespace sylph_rviz {
@@ -60,6 +62,13 @@ OperatorLink::OperatorLink(const ros::NodeHandle& suite_nh)
                                                const std::lock_guard<std::mutex> lock(mutex_);
                                                model_.onMap(*map);
                                              }));
+  subscribers_.push_back(nh_.subscribe<sylph_msgs::JointActions>(
+      sylph_ros::kJointActionsTopic, 1, [this](const sylph_msgs::JointActions::ConstPtr& message) {
+        if (auto plan = planOf(*message)) {
+          const std::lock_guard<std::mutex> lock(mutex_);
+          model_.onPlan(std::move(*plan));
+        }
+      }));
   // Of the action's topics and not of its client, so that missions of others are seen, too.
   const std::string action = sylph_ros::kExecuteMissionAction;
   subscribers_.push_back(nh_.subscribe<sylph_msgs::ExecuteMissionActionFeedback>(

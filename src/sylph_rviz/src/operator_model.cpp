@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 #include "sylph_core/geometry/segment.hpp"
 #include "sylph_core/text/join.hpp"
@@ -73,6 +74,22 @@ std::string cellText(const sylph_msgs::Cell& cell) {
 std::string ownWaitText(const RobotExecution& robot) {
   return "waits " + durationText(robot.waited_s) + " for " + robot.waits_for_robot + " to leave " +
          cellText(robot.waits_for_cell);
+}
+
+/// Nothing for a robot that has no SVO in this plan.
+std::optional<SvoSeries> svoOf(const sylph::MissionPlan& plan, const std::string& robot) {
+  const auto found = std::find(plan.robots.begin(), plan.robots.end(), robot);
+  if (found == plan.robots.end()) {
+    return std::nullopt;
+  }
+  const auto agent = static_cast<std::size_t>(found - plan.robots.begin());
+  SvoSeries series{robot, {}};
+  bool has_any = false;
+  for (const sylph::SocialState& social : plan.social) {
+    series.svo_deg.push_back(social.svo_deg.at(agent));
+    has_any = has_any || std::isfinite(series.svo_deg.back());
+  }
+  return has_any ? std::make_optional(std::move(series)) : std::nullopt;
 }
 
 /// What the robot furthest behind still has to do, at the pace that it has had.
@@ -222,6 +239,24 @@ void OperatorModel::addGoals(OperatorView& view, double steady_s) const {
   view.go = !view.start.empty() ? view.start : desk_.go();
 }
 
+void OperatorModel::addSvo(OperatorView& view) const {
+  const RobotView* robot = findRobot(scene_, scene_.selected);
+  if (robot == nullptr || !robot->execution || !scene_.state || !scene_.plan ||
+      scene_.plan->plan_id != scene_.state->plan_id) {
+    return;
+  }
+  view.svo_step = robot->execution->step;
+  auto own = svoOf(*scene_.plan, robot->name);
+  if (!own) {
+    return;
+  }
+  view.svo.push_back(std::move(*own));
+  const std::string& partner = robot->execution->partner;
+  if (auto series = svoOf(*scene_.plan, partner); series && partner != robot->name) {
+    view.svo.push_back(std::move(*series));
+  }
+}
+
 sylph::RobotPoses OperatorModel::poses() const {
   sylph::RobotPoses poses;
   for (const RobotView& robot : scene_.robots) {
@@ -292,6 +327,7 @@ OperatorView OperatorModel::view(double ros_s, double steady_s) const {
   addMessage(view, steady_s);
   addCommands(view, steady_s);
   addGoals(view, steady_s);
+  addSvo(view);
   for (const RobotView& robot : scene_.robots) {
     view.rows.push_back(rowOf(robot, ros_s));
     if (robot.execution) {

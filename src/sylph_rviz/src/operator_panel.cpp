@@ -22,6 +22,7 @@
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_ros/topics.hpp"
 #include "sylph_rviz/palette.hpp"
+#include "sylph_rviz/svo_chart.hpp"
 
 namespace sylph_rviz {
 namespace {
@@ -213,6 +214,9 @@ void OperatorPanel::buildTable(QVBoxLayout* column) {
   signs_->setObjectName("signs");
   signs_->setWordWrap(true);
   column->addWidget(signs_);
+  svo_ = new SvoChart;
+  svo_->setObjectName("svo");
+  column->addWidget(svo_);
   reasons_ = new QLabel;
   reasons_->setObjectName("reasons");
   reasons_->setWordWrap(true);
@@ -388,6 +392,7 @@ void OperatorPanel::showSelection(const OperatorView& view) {
   signs_->setText(fromText(view.selected) +
                   ": band = its plan, white = driven, squares = cells it holds, dashes = its "
                   "partner's way, 1 2 3 = who waits for whom");
+  svo_->show(view.svo, view.svo_step);
   if (view.selected == robotOfSelectedRow()) {
     return;
   }

@@ -39,6 +39,35 @@ TEST_F(OperatorModelTest, HasARowForEachRobotInTheOrderOfTheLab) {
   EXPECT_EQ("executing, 1 of 2 robots arrived", view.headline);
 }
 
+TEST_F(OperatorModelTest, TellsTheSvosOfTheSelectedRobotAndItsPartnerInThePlanThatIsCarriedOut) {
+  const float none = std::numeric_limits<float>::quiet_NaN();
+  sylph::MissionPlan plan;
+  plan.plan_id = 1;
+  plan.robots = {"robot_1", "robot_0"};
+  plan.social = {{{1, 0}, {10.0F, 20.0F}}, {{1, 0}, {none, 25.0F}}};
+  state.robots[0].step = 1;
+  hear();
+  EXPECT_TRUE(model.view(0.0, 0.0).svo.empty()) << "none is selected";
+  model.select("robot_0");
+  EXPECT_TRUE(model.view(0.0, 0.0).svo.empty()) << "the plan has not come";
+  model.onPlan(plan);
+  const OperatorView view = model.view(0.0, 0.0);
+  ASSERT_EQ(2U, view.svo.size());
+  EXPECT_EQ("robot_0", view.svo[0].robot);
+  EXPECT_EQ((std::vector<float>{20.0F, 25.0F}), view.svo[0].svo_deg);
+  EXPECT_EQ("robot_1", view.svo[1].robot);
+  EXPECT_EQ(10.0F, view.svo[1].svo_deg.at(0));
+  EXPECT_EQ(1U, view.svo_step);
+  plan.social = {{{1, 0}, {10.0F, none}}, {{1, 0}, {10.0F, none}}};
+  model.onPlan(plan);
+  ASSERT_EQ(0U, model.view(0.0, 0.0).svo.size())
+      << "the robot has none, its partner's alone says nothing";
+  plan.plan_id = 2;
+  plan.social = {{{1, 0}, {10.0F, 20.0F}}};
+  model.onPlan(plan);
+  EXPECT_TRUE(model.view(0.0, 0.0).svo.empty()) << "of a plan that is not carried out yet";
+}
+
 TEST_F(OperatorModelTest, TellsForWhomARobotWaitsHowLongAndWhoIsTheCause) {
   RobotExecution& robot = state.robots[0];
   robot.waiting = 1;

@@ -7,7 +7,9 @@
 #include <std_srvs/Trigger.h>
 
 #include <QApplication>
+#include <QColor>
 #include <QComboBox>
+#include <QImage>
 #include <QLabel>
 #include <QPushButton>
 #include <QTableWidget>
@@ -16,8 +18,11 @@
 #include <functional>
 #include <future>
 
+#include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
 #include "sylph_ros/wait_until.hpp"
+#include "sylph_rviz/palette.hpp"
+#include "sylph_rviz/svo_chart.hpp"
 #include "test_scene.hpp"
 
 namespace sylph_rviz {
@@ -141,6 +146,39 @@ TEST_F(OperatorPanelTest, SelectsARobotByItsRowAndShowsWhatOthersSelect) {
   EXPECT_FALSE(table.item(1, 0)->isSelected());
   table.clearSelection();
   EXPECT_TRUE(waitUntil([&] { return selected.empty(); })) << selected;
+}
+
+TEST_F(OperatorPanelTest, DrawsTheSvosOfTheSelectedRobotInItsPlan) {
+  auto& chart = *panel_.findChild<SvoChart*>("svo");
+  sylph::MissionPlan plan;
+  plan.plan_id = state_.plan_id;
+  plan.robots = {"robot_0", "robot_1"};
+  plan.goals = {{1, 0}, {3, 4}};
+  plan.plan = {{{3, 0}, {3, 4}}, {{2, 0}, {3, 4}}, {{1, 0}, {3, 4}}};
+  plan.social = {{{1, 0}, {10.0F, 20.0F}}, {{1, 0}, {40.0F, 20.0F}}};
+  ros::Publisher planner =
+      suite_.advertise<sylph_msgs::JointActions>(sylph_ros::kJointActionsTopic, 1, true);
+  planner.publish(sylph_ros::toMessage(plan));
+  auto& table = *panel_.findChild<QTableWidget*>("robots");
+  ASSERT_TRUE(waitUntil([&] { return table.rowCount() == 2; }));
+  EXPECT_TRUE(chart.isHidden());
+  table.selectRow(0);
+  ASSERT_TRUE(waitUntil([&] { return !chart.isHidden(); }));
+  const QImage image = chart.grab().toImage();
+  const auto pixels = [&image](double svo_deg) {
+    const std_msgs::ColorRGBA wanted = svoColor(svo_deg);
+    const QRgb color = QColor::fromRgbF(wanted.r, wanted.g, wanted.b).rgb();
+    int count = 0;
+    for (int y = 0; y < image.height(); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        count += image.pixel(x, y) == color ? 1 : 0;
+      }
+    }
+    return count;
+  };
+  EXPECT_GT(pixels(10.0), 0);
+  EXPECT_NEAR(4.0, static_cast<double>(pixels(40.0)) / pixels(10.0), 0.8)
+      << "columns of equal width, as high as the SVO, under the lines";
 }
 
 TEST_F(OperatorPanelTest, ConfirmsThePoseOfTheSelectedRobotWhileAllAreStopped) {

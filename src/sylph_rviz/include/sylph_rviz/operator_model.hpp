@@ -5,11 +5,14 @@
 #include <sylph_msgs/ExecuteMissionFeedback.h>
 #include <sylph_msgs/ExecuteMissionResult.h>
 
+#include <cstdint>
 #include <map>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "sylph_core/execution/mission_plan.hpp"
 #include "sylph_core/geometry/pose2d.hpp"
 #include "sylph_rviz/goal_desk.hpp"
 #include "sylph_rviz/goal_handle.hpp"
@@ -39,6 +42,12 @@ struct RobotRow {
   std::optional<double> tracking_error_m;  ///< from the way that it has to drive
 };
 
+/// A robot's SVO over the timesteps of the plan that is carried out.
+struct SvoSeries {
+  std::string robot;
+  std::vector<float> svo_deg;  ///< one per joint action, 0 selfish ... 45 prosocial; NaN: none
+};
+
 /// All that the operator's panel shows.
 struct OperatorView {
   std::string headline;   ///< where the mission stands
@@ -50,18 +59,20 @@ struct OperatorView {
   std::optional<double> left_s;     ///< at the pace so far; nothing before there is one
   std::vector<RobotRow> rows;       ///< in the order of the plan's robots
   std::string selected;             ///< the robot that the operator looks at; empty: none
-  std::string goals;                ///< that are set by hand, and what was planned of them
-  Refusal start;                    ///< of a mission
-  Refusal pause;                    ///< of the lab
-  Refusal resume;                   ///< after a pause or stop
-  Refusal stop;                     ///< of the lab, at once
-  Refusal cancel;                   ///< of the mission
-  Refusal confirm_pose;             ///< of any one robot
-  Refusal set_goal;                 ///< by hand
-  Refusal plan;                     ///< of the goals that are set
-  Refusal go;                       ///< with the plan that is shown
-  Refusal clear_goals;              ///< of those that are set
-  Refusal save;                     ///< of the goals that are set, as an experiment
+  std::vector<SvoSeries> svo;  ///< of the selected robot, then of its partner, if they have any
+  std::uint32_t svo_step = 0;  ///< timestep at which the selected robot is
+  std::string goals;           ///< that are set by hand, and what was planned of them
+  Refusal start;               ///< of a mission
+  Refusal pause;               ///< of the lab
+  Refusal resume;              ///< after a pause or stop
+  Refusal stop;                ///< of the lab, at once
+  Refusal cancel;              ///< of the mission
+  Refusal confirm_pose;        ///< of any one robot
+  Refusal set_goal;            ///< by hand
+  Refusal plan;                ///< of the goals that are set
+  Refusal go;                  ///< with the plan that is shown
+  Refusal clear_goals;         ///< of those that are set
+  Refusal save;                ///< of the goals that are set, as an experiment
 };
 
 /// What is known of a run, from messages alone: no clock, no ROS. Times are told by the caller, in
@@ -77,6 +88,8 @@ class OperatorModel {
   void onPose(const std::string& robot, const sylph::Pose2d& pose, double stamp_s);
   /// Cells and their size; a map without cells changes nothing.
   void onMap(const nav_msgs::OccupancyGrid& map);
+  /// A plan that the planner has sent.
+  void onPlan(sylph::MissionPlan plan) { scene_.plan = std::move(plan); }
   /// The planner says how far it is, at `steady_s` [s].
   void onFeedback(const sylph_msgs::ExecuteMissionFeedback& feedback, double steady_s);
   /// The robot that the operator looks at; empty: none.
@@ -106,6 +119,7 @@ class OperatorModel {
   void addCommands(OperatorView& view, double steady_s) const;
   Refusal goalRefusal(double steady_s) const;
   void addGoals(OperatorView& view, double steady_s) const;
+  void addSvo(OperatorView& view) const;
   std::optional<sylph::Point> handleOf(const RobotView& robot) const;
   RobotRow rowOf(const RobotView& robot, double ros_s) const;
 

@@ -18,6 +18,8 @@ class QVBoxLayout;
 
 namespace sylph_rviz {
 
+class SvoChart;
+
 /// RViz panel `sylph_rviz/OperatorPanel`: where the mission stands, a line for each robot, and the
 /// operator's commands.
 class OperatorPanel : public rviz::Panel {
@@ -72,6 +74,7 @@ class OperatorPanel : public rviz::Panel {
   QPushButton* save_ = nullptr;
   QTableWidget* table_ = nullptr;
   QLabel* signs_ = nullptr;
+  SvoChart* svo_ = nullptr;
   QLabel* reasons_ = nullptr;
 };
 
