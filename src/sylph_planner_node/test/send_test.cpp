@@ -94,7 +94,8 @@ TEST_F(SendTest, LeavesItToThePlannerWhetherItGoesOnWithoutARobotThatStays) {
   EXPECT_EQ(1, refused.status);
   EXPECT_NE(std::string::npos, refused.said.find("NO_POSE: robot_2 has no part in the mission"))
       << refused.said;
-  EXPECT_NE(std::string::npos, refused.said.find("set ignore_unseen_robots of the planner"));
+  EXPECT_NE(std::string::npos,
+            refused.said.find("with ignore_unseen_robots the planner goes on without"));
   ros::NodeHandle planner("/sylph/sylph_planner");
   planner.setParam("ignore_unseen_robots", true);
   ASSERT_TRUE(startPlannerAgain());

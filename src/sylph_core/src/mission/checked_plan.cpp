@@ -145,7 +145,8 @@ MissionStart startOf(const Mission& mission, const std::vector<RobotSpec>& lab,
   if (!unseen.empty() && !ignores_unseen_robots) {
     throw MissionFailure(
         MissionOutcome::NoPose,
-        join(unseen, "\n") + "\nto go on without, set ignore_unseen_robots of the planner");
+        join(unseen, "\n") +
+            "\nwith ignore_unseen_robots the planner goes on without after pose_wait_s");
   }
   const CellOwners bystanders = cellsOfBystanders(mission, lab, poses, bystander_distance_m);
   return {toInstance(mission, starts, bystanders), bystanders, std::move(unseen)};

@@ -196,7 +196,7 @@ TEST_F(MissionLifecycleTest, WaitsForBystandersToBeSeen) {
   ASSERT_EQ(1U, lifecycle_.progress().waiting.size());
   const std::string reason =
       "robot_2 has no part in the mission, but might stand in its way: no pose of it has come\n"
-      "to go on without, set ignore_unseen_robots of the planner";
+      "with ignore_unseen_robots the planner goes on without after pose_wait_s";
   EXPECT_EQ(reason, lifecycle_.progress().waiting.front());
   now_s_ += 5.1;
   hear();
