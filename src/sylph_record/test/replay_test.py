@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 """replay_run plays what a picture needs, and moves no robot."""
 import os
+import signal
 import subprocess
 import tempfile
 import time
@@ -11,7 +12,9 @@ import rostest
 import small_run
 from geometry_msgs.msg import Twist
 from nav_msgs.msg import OccupancyGrid
-from sylph_msgs.msg import AdgState
+from rosgraph_msgs.msg import Clock
+from std_msgs.msg import Float64
+from sylph_msgs.msg import AdgState, JointActions, ReplayExtent
 from sylph_ros.programs import find_program
 from visualization_msgs.msg import Marker, MarkerArray
 
@@ -49,16 +52,55 @@ class ReplayTest(unittest.TestCase):
 
     def test_starts_where_it_is_told_with_the_map_that_the_bag_holds(self):
         small_run.write_bag(self.bag)
-        maps, done = [], []
+        maps, plans, done = [], [], []
         listeners = [
             rospy.Subscriber("/map", OccupancyGrid, lambda message: maps.append((message.info.width, message.info.height))),
+            rospy.Subscriber("/sylph/joint_actions", JointActions, lambda message: plans.append(message.plan_id)),
             rospy.Subscriber("/sylph/adg_state", AdgState, lambda message: done.append(message.robots[0].tasks_done)),
         ]
         subprocess.run([REPLAY, self.bag, "--start", "2.5", "--exit-when-done"], timeout=DEADLINE_S, check=True)
         for listener in listeners:
             listener.unregister()
         self.assertEqual(set(maps), {(4, 2)})
+        self.assertEqual(plans[0], 1, "it was sent before")
         self.assertEqual(set(done), {2, 3})
+
+    def wait(self, condition, what):
+        deadline = time.monotonic() + DEADLINE_S
+        while not condition():
+            self.assertLess(time.monotonic(), deadline, what)
+            time.sleep(0.05)
+
+    def test_moves_to_where_it_is_told(self):
+        small_run.write_bag(self.bag)
+        extents, now = [], [0.0]
+
+        def note(clock):
+            now[0] = clock.clock.to_sec() - small_run.START_S
+
+        listeners = [
+            rospy.Subscriber("/sylph/replay_extent", ReplayExtent, extents.append),
+            rospy.Subscriber("/clock", Clock, note),
+        ]
+        seek = rospy.Publisher("/sylph/replay_seek", Float64, queue_size=1)
+        replay = subprocess.Popen([REPLAY, self.bag, "--rate", "0.02"])  # would need minutes by itself
+        try:
+            self.wait(lambda: extents and seek.get_num_connections() > 0, "it tells what there is")
+            self.assertEqual((small_run.START_S, 4.0), (extents[0].begin.to_sec(), extents[0].length.to_sec()))
+            seek.publish(float("nan"))
+            for place_s, low_s, high_s in ((3.0, 3.0, 3.9), (1.0, 1.0, 1.9), (1e9, 3.9, 4.1), (-5.0, -0.1, 0.5)):
+                seek.publish(place_s)
+                self.wait(lambda: low_s <= now[0] <= high_s, f"{place_s} s")
+            seek.publish(2.0)
+            self.wait(lambda: now[0] >= 2.0, "it is there")
+            plan = rospy.wait_for_message("/sylph/joint_actions", JointActions, DEADLINE_S)
+            self.assertEqual(1, plan.plan_id, "for those who come now")
+            self.assertIsNone(replay.poll())
+        finally:
+            replay.send_signal(signal.SIGINT)
+            self.assertEqual(0, replay.wait(DEADLINE_S))
+            for listener in listeners:
+                listener.unregister()
 
     def test_plays_into_its_own_namespace(self):
         small_run.write_bag(self.bag)

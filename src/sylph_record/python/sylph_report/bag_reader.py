@@ -60,9 +60,8 @@ class BagReader:
                 header[b"topic"].decode(), fields[b"type"].decode(), fields[b"md5sum"].decode()
             )
         spans = [_read_record(file)[0] for _ in range(struct.unpack("<I", header_of_bag[b"chunk_count"])[0])]
-        self.duration_s = 0.0
-        if spans:
-            self.duration_s = max(_time(s[b"end_time"]) for s in spans) - min(_time(s[b"start_time"]) for s in spans)
+        self.begin_s = min((_time(s[b"start_time"]) for s in spans), default=0.0)
+        self.duration_s = max((_time(s[b"end_time"]) for s in spans), default=self.begin_s) - self.begin_s
 
     def topics(self):
         """Topic -> type."""
