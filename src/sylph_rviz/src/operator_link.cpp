@@ -3,9 +3,11 @@
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/master.h>
 #include <ros/service.h>
+#include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <sylph_msgs/AdgState.h>
 #include <sylph_msgs/JointActions.h>
+#include <sylph_msgs/ReplayExtent.h>
 
 #include <chrono>
 #include <exception>
@@ -69,6 +71,12 @@ OperatorLink::OperatorLink(const ros::NodeHandle& suite_nh)
           model_.onPlan(std::move(*plan));
         }
       }));
+  subscribers_.push_back(nh_.subscribe<sylph_msgs::ReplayExtent>(
+      sylph_ros::kReplayExtentTopic, 1, [this](const sylph_msgs::ReplayExtent::ConstPtr& extent) {
+        const std::lock_guard<std::mutex> lock(mutex_);
+        model_.onReplayExtent(*extent);
+      }));
+  seek_ = nh_.advertise<std_msgs::Float64>(sylph_ros::kReplaySeekTopic, 1);
   // Of the action's topics and not of its client, so that missions of others are seen, too.
   const std::string action = sylph_ros::kExecuteMissionAction;
   subscribers_.push_back(nh_.subscribe<sylph_msgs::ExecuteMissionActionFeedback>(
@@ -138,6 +146,12 @@ void OperatorLink::select(const std::string& robot) {
   std_msgs::String message;
   message.data = robot;
   selection_.publish(message);
+}
+
+void OperatorLink::seek(double place_s) {
+  std_msgs::Float64 message;
+  message.data = place_s;
+  seek_.publish(message);
 }
 
 void OperatorLink::start(const MissionChoice& choice) {

@@ -328,6 +328,10 @@ OperatorView OperatorModel::view(double ros_s, double steady_s) const {
   addCommands(view, steady_s);
   addGoals(view, steady_s);
   addSvo(view);
+  if (source_ == Source::Replay && replay_extent_) {
+    const double length_s = replay_extent_->length.toSec();
+    view.replay = {std::clamp(ros_s - replay_extent_->begin.toSec(), 0.0, length_s), length_s};
+  }
   for (const RobotView& robot : scene_.robots) {
     view.rows.push_back(rowOf(robot, ros_s));
     if (robot.execution) {

@@ -8,8 +8,10 @@
 #include <QLabel>
 #include <QPainter>
 #include <QProgressBar>
+#include <QProxyStyle>
 #include <QPushButton>
 #include <QSignalBlocker>
+#include <QSlider>
 #include <QSpinBox>
 #include <QStandardItemModel>
 #include <QStyledItemDelegate>
@@ -28,6 +30,7 @@ namespace sylph_rviz {
 namespace {
 
 constexpr int kRefreshPeriodMs = 100;
+constexpr double kReplayStepS = 0.1;  // of the slider
 // Columns of the table.
 constexpr int kRobot = 0;
 constexpr int kState = 1;
@@ -84,6 +87,18 @@ class SvoDelegate : public QStyledItemDelegate {
   }
 };
 
+/// A slider of this style goes to where it is clicked, not a page in that direction.
+class ClickedPlaceStyle : public QProxyStyle {
+ public:
+  explicit ClickedPlaceStyle(QObject* owner) { setParent(owner); }
+  int styleHint(StyleHint hint, const QStyleOption* option, const QWidget* widget,
+                QStyleHintReturn* answer) const override {
+    return hint == SH_Slider_AbsoluteSetButtons
+               ? static_cast<int>(Qt::LeftButton)
+               : QProxyStyle::styleHint(hint, option, widget, answer);
+  }
+};
+
 QString number(const std::optional<double>& value, double factor, int digits, const char* unit) {
   return value ? QString::number(factor * *value, 'f', digits) + unit : QString();
 }
@@ -137,6 +152,27 @@ void OperatorPanel::buildMission(QVBoxLayout* column) {
   column->addWidget(headline_);
   column->addLayout(row);
   column->addWidget(message_);
+  buildReplay(column);
+}
+
+void OperatorPanel::buildReplay(QVBoxLayout* column) {
+  replay_ = new QWidget;
+  replay_place_ = new QSlider(Qt::Horizontal);
+  replay_place_->setObjectName("replay");
+  replay_place_->setStyle(new ClickedPlaceStyle(replay_place_));
+  replay_place_->setTracking(false);  // while it is dragged the bag would begin anew all the time
+  replay_time_ = new QLabel;
+  replay_time_->setObjectName("replay_time");
+  auto* row = new QHBoxLayout(replay_);
+  row->setContentsMargins(0, 0, 0, 0);
+  row->addWidget(new QLabel("Replay"));
+  row->addWidget(replay_place_, 1);
+  row->addWidget(replay_time_);
+  column->addWidget(replay_);
+  connect(replay_place_, &QSlider::valueChanged, this,
+          [this](int steps) { link_->seek(kReplayStepS * steps); });
+  connect(replay_place_, &QSlider::sliderMoved, this,
+          [this](int steps) { showReplayTime(kReplayStepS * steps); });
 }
 
 QPushButton* OperatorPanel::makeButton(const char* name, const QString& text) {
@@ -284,6 +320,7 @@ void OperatorPanel::refresh() {
   const OperatorView view = link_->view();
   showExperiments();
   showMission(view);
+  showReplay(view);
   showCommands(view);
   showGoals(view);
   showRows(view);
@@ -328,6 +365,23 @@ void OperatorPanel::showMission(const OperatorView& view) {
   message_->setText(fromText(view.message));
   message_->setVisible(!view.message.empty());
   message_->setStyleSheet(view.is_alarm ? "color: rgb(190, 60, 0); font-weight: bold" : "");
+}
+
+void OperatorPanel::showReplay(const OperatorView& view) {
+  replay_->setVisible(view.replay.has_value());
+  if (!view.replay || replay_place_->isSliderDown()) {
+    return;
+  }
+  const QSignalBlocker blocker(replay_place_);
+  replay_place_->setMaximum(static_cast<int>(view.replay->length_s / kReplayStepS));
+  replay_place_->setValue(static_cast<int>(view.replay->at_s / kReplayStepS));
+  replay_place_->setPageStep(std::max(1, replay_place_->maximum() / 10));
+  showReplayTime(view.replay->at_s);
+}
+
+void OperatorPanel::showReplayTime(double at_s) {
+  replay_time_->setText(fromText(durationText(at_s) + " of " +
+                                 durationText(kReplayStepS * replay_place_->maximum())));
 }
 
 void OperatorPanel::showCommands(const OperatorView& view) {

@@ -68,6 +68,19 @@ TEST_F(OperatorModelTest, TellsTheSvosOfTheSelectedRobotAndItsPartnerInThePlanTh
   EXPECT_TRUE(model.view(0.0, 0.0).svo.empty()) << "of a plan that is not carried out yet";
 }
 
+TEST_F(OperatorModelTest, TellsWhereAReplayIs) {
+  hear();
+  sylph_msgs::ReplayExtent extent;
+  extent.begin = ros::Time(100.0);
+  extent.length = ros::Duration(60.0);
+  model.onReplayExtent(extent);
+  EXPECT_FALSE(model.view(112.0, 0.0).replay) << "this is none";
+  model.setSource(Source::Replay, false);
+  EXPECT_DOUBLE_EQ(12.0, model.view(112.0, 0.0).replay.value().at_s);
+  EXPECT_DOUBLE_EQ(60.0, model.view(112.0, 0.0).replay.value().length_s);
+  EXPECT_DOUBLE_EQ(0.0, model.view(0.0, 0.0).replay.value().at_s) << "before the first clock";
+}
+
 TEST_F(OperatorModelTest, TellsForWhomARobotWaitsHowLongAndWhoIsTheCause) {
   RobotExecution& robot = state.robots[0];
   robot.waiting = 1;

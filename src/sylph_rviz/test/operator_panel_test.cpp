@@ -3,8 +3,10 @@
 #include <actionlib/server/simple_action_server.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
+#include <std_msgs/Float64.h>
 #include <std_msgs/String.h>
 #include <std_srvs/Trigger.h>
+#include <sylph_msgs/ReplayExtent.h>
 
 #include <QApplication>
 #include <QColor>
@@ -12,11 +14,13 @@
 #include <QImage>
 #include <QLabel>
 #include <QPushButton>
+#include <QSlider>
 #include <QTableWidget>
 #include <QThread>
 #include <atomic>
 #include <functional>
 #include <future>
+#include <vector>
 
 #include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
@@ -218,6 +222,38 @@ TEST_F(OperatorPanelTest, CommandsAreOffInAReplay) {
   for (const char* name : {"start", "pause", "resume", "stop", "cancel", "confirm_pose"}) {
     EXPECT_FALSE(button(name).isEnabled()) << name;
   }
+}
+
+TEST_F(OperatorPanelTest, MovesAReplayThatCanBeMoved) {
+  std::vector<double> places;
+  const ros::Subscriber listener = suite_.subscribe<std_msgs::Float64>(
+      sylph_ros::kReplaySeekTopic, 10,
+      [&](const std_msgs::Float64::ConstPtr& place) { places.push_back(place->data); });
+  auto& slider = *panel_.findChild<QSlider*>("replay");
+  ASSERT_TRUE(waitUntil([&] { return !button("stop").isEnabled(); })) << "a replay";
+  EXPECT_TRUE(slider.parentWidget()->isHidden());
+  ros::Publisher replay =
+      suite_.advertise<sylph_msgs::ReplayExtent>(sylph_ros::kReplayExtentTopic, 1, true);
+  sylph_msgs::ReplayExtent extent;
+  // The test runs by the wall clock.
+  extent.begin = ros::Time::now() - ros::Duration(30.0);
+  extent.length = ros::Duration(60.0);
+  replay.publish(extent);
+  ASSERT_TRUE(waitUntil([&] { return !slider.parentWidget()->isHidden(); }));
+  EXPECT_EQ(600, slider.maximum()) << "tenths of a second";
+  EXPECT_GE(slider.value(), 300);
+  EXPECT_LE(slider.value(), 600);
+  EXPECT_EQ(" of 1 min 00 s", label("replay_time").substr(label("replay_time").find(" of ")));
+  EXPECT_TRUE(places.empty()) << "it moves by itself with the time";
+  slider.setSliderDown(true);
+  slider.setSliderPosition(125);
+  EXPECT_EQ("12.5 s of 1 min 00 s", label("replay_time"));
+  waitUntil([ticks = 0]() mutable { return ++ticks > 10; });
+  EXPECT_TRUE(places.empty()) << "while it is dragged";
+  EXPECT_EQ(125, slider.sliderPosition()) << "it was taken out of the hand";
+  slider.setSliderDown(false);
+  ASSERT_TRUE(waitUntil([&] { return !places.empty(); }));
+  EXPECT_EQ(std::vector<double>{12.5}, places);
 }
 
 }  // namespace

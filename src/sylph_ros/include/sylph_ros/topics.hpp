@@ -36,6 +36,10 @@ constexpr char kSelectedRobotTopic[] = "selected_robot";
 constexpr char kNavGoalTopic[] = "nav_goal";
 /// Namespace of the interactive markers by which robots are selected and their goals are dragged.
 constexpr char kGoalMarkersTopic[] = "goal_markers";
+/// sylph_msgs/ReplayExtent, latched: which part of time a replay's bag covers.
+constexpr char kReplayExtentTopic[] = "replay_extent";
+/// std_msgs/Float64: to where in the bag a replay is to go, from its beginning [s].
+constexpr char kReplaySeekTopic[] = "replay_seek";
 /// sylph_msgs/SimulationTruth: where the simulator's robots really are.
 constexpr char kSimulationTruthTopic[] = "simulation_truth";
 /// std_srvs/Trigger of the central node: robots finish the tasks that they have.

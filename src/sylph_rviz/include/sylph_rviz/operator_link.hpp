@@ -52,6 +52,9 @@ class OperatorLink {
 
   /// Tells everybody which robot the operator looks at; empty: none.
   void select(const std::string& robot);
+  /// Moves a replay.
+  /// @param place_s  from the beginning of its bag [s]
+  void seek(double place_s);
 
   /// Plans the goals that are set by hand and shows the plan; nothing moves.
   void plan();
@@ -103,6 +106,7 @@ class OperatorLink {
   std::map<std::string, ros::Subscriber> poses_;  ///< of the thread that serves callbacks
   std::vector<ros::Subscriber> subscribers_;
   ros::Publisher selection_;
+  ros::Publisher seek_;
   ros::Publisher goals_;
   std::optional<sylph_msgs::ExecuteMissionGoal> planned_;  ///< what the planner was asked to show
   LayerHistory goals_history_;                             ///< of the thread that serves callbacks

@@ -4,6 +4,7 @@
 #include <sylph_msgs/AdgState.h>
 #include <sylph_msgs/ExecuteMissionFeedback.h>
 #include <sylph_msgs/ExecuteMissionResult.h>
+#include <sylph_msgs/ReplayExtent.h>
 
 #include <cstdint>
 #include <map>
@@ -48,6 +49,12 @@ struct SvoSeries {
   std::vector<float> svo_deg;  ///< one per joint action, 0 selfish ... 45 prosocial; NaN: none
 };
 
+/// Where a replay is in its bag.
+struct ReplayPosition {
+  double at_s = 0.0;      ///< from the bag's beginning [s]
+  double length_s = 0.0;  ///< of the bag [s]
+};
+
 /// All that the operator's panel shows.
 struct OperatorView {
   std::string headline;   ///< where the mission stands
@@ -55,10 +62,11 @@ struct OperatorView {
   bool is_alarm = false;  ///< whether `message` asks for the operator
   int tasks_done = 0;     ///< of all robots
   int tasks_total = 0;    ///< of all robots, in the present plan
-  std::optional<double> elapsed_s;  ///< since the plan was begun
-  std::optional<double> left_s;     ///< at the pace so far; nothing before there is one
-  std::vector<RobotRow> rows;       ///< in the order of the plan's robots
-  std::string selected;             ///< the robot that the operator looks at; empty: none
+  std::optional<double> elapsed_s;       ///< since the plan was begun
+  std::optional<double> left_s;          ///< at the pace so far; nothing before there is one
+  std::optional<ReplayPosition> replay;  ///< nothing if this is none, or it cannot be moved
+  std::vector<RobotRow> rows;            ///< in the order of the plan's robots
+  std::string selected;                  ///< the robot that the operator looks at; empty: none
   std::vector<SvoSeries> svo;  ///< of the selected robot, then of its partner, if they have any
   std::uint32_t svo_step = 0;  ///< timestep at which the selected robot is
   std::string goals;           ///< that are set by hand, and what was planned of them
@@ -88,6 +96,8 @@ class OperatorModel {
   void onPose(const std::string& robot, const sylph::Pose2d& pose, double stamp_s);
   /// Cells and their size; a map without cells changes nothing.
   void onMap(const nav_msgs::OccupancyGrid& map);
+  /// A replay tells which part of time its bag covers.
+  void onReplayExtent(const sylph_msgs::ReplayExtent& extent) { replay_extent_ = extent; }
   /// A plan that the planner has sent.
   void onPlan(sylph::MissionPlan plan) { scene_.plan = std::move(plan); }
   /// The planner says how far it is, at `steady_s` [s].
@@ -131,6 +141,7 @@ class OperatorModel {
   std::map<std::string, double> pose_stamps_s_;
   std::optional<sylph_msgs::ExecuteMissionFeedback> feedback_;
   double feedback_heard_s_ = 0.0;
+  std::optional<sylph_msgs::ReplayExtent> replay_extent_;
   std::optional<sylph_msgs::ExecuteMissionResult> result_;
 };
 

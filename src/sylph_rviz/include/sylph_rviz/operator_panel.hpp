@@ -12,6 +12,7 @@ class QComboBox;
 class QLabel;
 class QProgressBar;
 class QPushButton;
+class QSlider;
 class QSpinBox;
 class QTableWidget;
 class QVBoxLayout;
@@ -35,6 +36,7 @@ class OperatorPanel : public rviz::Panel {
 
  private:
   void buildMission(QVBoxLayout* column);
+  void buildReplay(QVBoxLayout* column);
   void buildCommands(QVBoxLayout* column);
   void buildGoals(QVBoxLayout* column);
   void buildTable(QVBoxLayout* column);
@@ -44,6 +46,8 @@ class OperatorPanel : public rviz::Panel {
   void askWhereToSave();
   void showExperiments();
   void showMission(const OperatorView& view);
+  void showReplay(const OperatorView& view);
+  void showReplayTime(double at_s);
   void showGoals(const OperatorView& view);
   void showCommands(const OperatorView& view);
   void showRows(const OperatorView& view);
@@ -59,6 +63,9 @@ class OperatorPanel : public rviz::Panel {
   QProgressBar* progress_ = nullptr;
   QLabel* times_ = nullptr;
   QLabel* message_ = nullptr;
+  QWidget* replay_ = nullptr;  ///< the row with the slider
+  QSlider* replay_place_ = nullptr;
+  QLabel* replay_time_ = nullptr;
   QLabel* outcome_ = nullptr;
   QPushButton* start_ = nullptr;
   QPushButton* pause_ = nullptr;
