@@ -17,24 +17,32 @@ Marker makeDeletion(const std::string& ns, int id, int action) {
 
 }  // namespace
 
-visualization_msgs::MarkerArray LayerHistory::update(Markers markers, double lifetime_s) {
+visualization_msgs::MarkerArray LayerHistory::update(Markers markers, double lifetime_s,
+                                                     double now_s) {
   visualization_msgs::MarkerArray message;
   if (is_first_) {
     message.markers.push_back(makeDeletion("", 0, Marker::DELETEALL));
     is_first_ = false;
   }
-  std::set<std::pair<std::string, int>> shown;
+  std::map<std::pair<std::string, int>, Sent> sent;
   for (Marker& marker : markers) {
-    shown.emplace(marker.ns, marker.id);
     marker.lifetime = ros::Duration(lifetime_s);
-    message.markers.push_back(std::move(marker));
-  }
-  for (const auto& [ns, id] : shown_) {
-    if (shown.count({ns, id}) == 0) {
-      message.markers.push_back(makeDeletion(ns, id, Marker::DELETE));
+    const std::pair<std::string, int> key(marker.ns, marker.id);
+    const auto before = sent_.find(key);
+    if (!sends_all_ && before != sent_.end() && now_s - before->second.at_s < refresh_s_ &&
+        before->second.marker == marker) {
+      sent.insert(sent_.extract(before));
+      continue;
     }
+    message.markers.push_back(marker);
+    sent[key] = {std::move(marker), now_s};
+    sent_.erase(key);
   }
-  shown_ = std::move(shown);
+  for (const auto& [key, gone] : sent_) {
+    message.markers.push_back(makeDeletion(key.first, key.second, Marker::DELETE));
+  }
+  sent_ = std::move(sent);
+  sends_all_ = false;
   return message;
 }
 

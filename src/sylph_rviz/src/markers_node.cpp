@@ -25,8 +25,13 @@ MarkersNode::MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       listenTo(robot);
     }
   }
-  for (const Layer& layer : kLayers) {
-    outputs_.push_back({nh_.advertise<visualization_msgs::MarkerArray>(layer.topic, 1), {}});
+  outputs_.resize(kLayers.size());
+  for (std::size_t i = 0; i < kLayers.size(); ++i) {
+    // Twice in a marker's life, as one message may be lost.
+    outputs_[i].history = LayerHistory(0.5 * options_.lifetime_s);
+    outputs_[i].publisher = nh_.advertise<visualization_msgs::MarkerArray>(
+        kLayers.at(i).topic, 1,
+        [this, i](const ros::SingleSubscriberPublisher&) { outputs_[i].history.sendAll(); });
   }
   state_subscriber_ = nh_.subscribe(sylph_ros::kAdgStateTopic, 1, &MarkersNode::onAdgState, this);
   map_subscriber_ =
@@ -113,14 +118,24 @@ void MarkersNode::publishLayers() {
     const double age_s = last_input_s_ - inputs_[robot].pose_received_s;
     scene_.robots[robot].pose_is_stale = age_s > options_.pose_timeout_s;
   }
+  // RViz counts a marker's lifetime in ROS time, which runs faster in a fast simulation.
+  const double lifetime_s = options_.lifetime_s * clock_.speed();
+  const ros::Time now = ros::Time::now();
   for (std::size_t i = 0; i < kLayers.size(); ++i) {
-    if (outputs_[i].publisher.getNumSubscribers() > 0) {
-      // RViz counts a marker's lifetime in ROS time, which runs faster in a fast simulation.
-      const double lifetime_s = options_.lifetime_s * clock_.speed();
-      outputs_[i].publisher.publish(
-          outputs_[i].history.update(kLayers.at(i).draw(scene_), lifetime_s));
+    LayerOutput& output = outputs_[i];
+    if (now < published_at_) {
+      output.history.sendAll();  // RViz forgets everything when time goes back
+    }
+    if (output.publisher.getNumSubscribers() == 0) {
+      continue;
+    }
+    const visualization_msgs::MarkerArray message = output.history.update(
+        kLayers.at(i).draw(scene_), lifetime_s, ros::SteadyTime::now().toSec());
+    if (!message.markers.empty()) {
+      output.publisher.publish(message);
     }
   }
+  published_at_ = now;
 }
 
 }  // namespace sylph_rviz

@@ -306,7 +306,7 @@ void OperatorLink::serveMouse(bool sends_goals) {
   // The server of the markers has a lock of its own, which its thread holds when it calls here.
   markers_.show(handles, cell_size_m);
   if (layer) {
-    goals_.publish(goals_history_.update(std::move(*layer), 0.0));
+    goals_.publish(goals_history_.update(std::move(*layer), 0.0, steadyTime()));
   }
 }
 

@@ -56,6 +56,7 @@ class MarkersNode {
   std::vector<RobotInput> inputs_;  // as scene_.robots
   double last_input_s_ = 0.0;       // when a pose or AdgState came last
   std::vector<LayerOutput> outputs_;
+  ros::Time published_at_;
   ros::Subscriber state_subscriber_;
   ros::Subscriber separation_subscriber_;
   ros::Subscriber map_subscriber_;
