@@ -30,6 +30,7 @@ namespace sylph_rviz {
 namespace {
 
 constexpr int kRefreshPeriodMs = 100;
+constexpr int kRefreshesPerFit = 10;  // of the columns' widths
 constexpr double kReplayStepS = 0.1;  // of the slider
 // Columns of the table.
 constexpr int kRobot = 0;
@@ -105,6 +106,28 @@ QString number(const std::optional<double>& value, double factor, int digits, co
 
 QString fromText(const std::string& text) {
   return QString::fromStdString(text);
+}
+
+/// A cell of the table that is set is drawn and measured anew, also if it holds the same.
+void setData(QTableWidgetItem* item, int role, const QVariant& value) {
+  if (item->data(role) != value) {
+    item->setData(role, value);
+  }
+}
+
+void setText(QTableWidgetItem* item, const QString& text) {
+  setData(item, Qt::DisplayRole, text);
+}
+
+/// The colour of a status, before its word.
+void setStatus(QTableWidgetItem* item, RobotStatus status) {
+  const QVariant value(static_cast<int>(status));
+  if (item->data(Qt::UserRole) != value) {
+    QPixmap square(10, 16);
+    square.fill(statusColor(status));
+    item->setData(Qt::DecorationRole, square);
+    item->setData(Qt::UserRole, value);
+  }
 }
 
 /// Greyed out with the reason as its tool tip, or free.
@@ -239,7 +262,6 @@ void OperatorPanel::buildTable(QVBoxLayout* column) {
   table_->setSelectionMode(QAbstractItemView::SingleSelection);
   table_->setItemDelegateForColumn(kSvo, new SvoDelegate(table_));
   table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   table_->setToolTip(
       "Select a robot: the scene shows its plan and way, its cells, its partner and "
       "for whom it waits. Ctrl+click ends that.");
@@ -326,6 +348,7 @@ void OperatorPanel::refresh() {
   showRows(view);
   showSelection(view);
   showReasons(view);
+  ++refreshes_;
   if (const std::string outcome = link_->takeOutcome(); !outcome.empty()) {
     outcome_->setText(fromText(outcome));
   }
@@ -425,19 +448,21 @@ void OperatorPanel::showRows(const OperatorView& view) {
       }
     }
     const RobotRow& row = view.rows[static_cast<std::size_t>(i)];
-    table_->item(i, kRobot)->setText(fromText(row.name));
-    table_->item(i, kState)->setText(fromText(row.state));
-    QPixmap square(10, 16);
-    square.fill(statusColor(row.status));
-    table_->item(i, kState)->setData(Qt::DecorationRole, square);
-    table_->item(i, kCell)->setText(fromText(row.cell));
-    table_->item(i, kPartner)->setText(fromText(row.partner));
-    table_->item(i, kSvo)->setText(number(row.svo_deg, 1.0, 0, ""));
-    table_->item(i, kSvo)->setData(Qt::UserRole, row.svo_deg ? QVariant(*row.svo_deg) : QVariant());
-    table_->item(i, kPoseAge)->setText(number(row.pose_age_s, 1.0, 2, " s"));
-    table_->item(i, kError)->setText(number(row.tracking_error_m, 1000.0, 0, " mm"));
-    table_->item(i, kWaits)->setText(fromText(row.waits));
-    table_->item(i, kWaits)->setToolTip(fromText(row.reason));
+    setText(table_->item(i, kRobot), fromText(row.name));
+    setText(table_->item(i, kState), fromText(row.state));
+    setStatus(table_->item(i, kState), row.status);
+    setText(table_->item(i, kCell), fromText(row.cell));
+    setText(table_->item(i, kPartner), fromText(row.partner));
+    setText(table_->item(i, kSvo), number(row.svo_deg, 1.0, 0, ""));
+    setData(table_->item(i, kSvo), Qt::UserRole, row.svo_deg ? QVariant(*row.svo_deg) : QVariant());
+    setText(table_->item(i, kPoseAge), number(row.pose_age_s, 1.0, 2, " s"));
+    setText(table_->item(i, kError), number(row.tracking_error_m, 1000.0, 0, " mm"));
+    setText(table_->item(i, kWaits), fromText(row.waits));
+    setData(table_->item(i, kWaits), Qt::ToolTipRole, fromText(row.reason));
+  }
+  // Left to the header, each change of a cell would measure all others.
+  if (refreshes_ % kRefreshesPerFit == 0) {
+    table_->resizeColumnsToContents();
   }
 }
 

@@ -56,6 +56,7 @@ class OperatorPanel : public rviz::Panel {
 
   std::unique_ptr<OperatorLink> link_;
   std::vector<ExperimentChoice> experiments_;
+  long refreshes_ = 0;
   QComboBox* experiment_ = nullptr;
   QComboBox* planner_ = nullptr;
   QSpinBox* seed_ = nullptr;
