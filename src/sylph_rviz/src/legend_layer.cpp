@@ -192,6 +192,10 @@ Markers legendMarkers(const Scene& scene) {
   writeMission(scene, writer);
   writer.gap();
   writeSigns(writer);
+  if (scene.robots.size() > kCrowd) {
+    writer.gap();
+    writer.line("faint: neither selected nor waiting", white());
+  }
   return writer.take();
 }
 

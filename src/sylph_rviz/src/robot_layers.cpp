@@ -52,6 +52,7 @@ Markers robotMarkers(const Scene& scene) {
 Markers goalMarkers(const Scene& scene) {
   Markers markers;
   const bool has_plan = scene.state && scene.state->plan_id != 0;
+  const std::vector<bool> in_front = inFront(scene);
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     const auto goal = goalOf(scene.robots[i], has_plan);
     const auto center = goal ? centerOf(scene, *goal) : std::nullopt;
@@ -59,16 +60,17 @@ Markers goalMarkers(const Scene& scene) {
       continue;
     }
     const int id = static_cast<int>(i);
+    const auto color = withAlpha(robotColor(i), in_front[i] ? 1.0 : kBehindAlpha);
+    markers.push_back(ring({"ring", id}, *center, kGoalRadiusM, height::kGoal, 0.025, color));
     markers.push_back(
-        ring({"ring", id}, *center, kGoalRadiusM, height::kGoal, 0.025, robotColor(i)));
-    markers.push_back(text({"name", id}, *center, height::kGoal, 0.12,
-                           shortName(scene.robots[i].name), robotColor(i)));
+        text({"name", id}, *center, height::kGoal, 0.12, shortName(scene.robots[i].name), color));
   }
   return markers;
 }
 
 Markers pathMarkers(const Scene& scene) {
   Markers markers;
+  const std::vector<bool> in_front = inFront(scene);
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     const RobotView& robot = scene.robots[i];
     if (!robot.pose || !robot.execution || robot.execution->remaining_path.size() < 2) {
@@ -83,7 +85,7 @@ Markers pathMarkers(const Scene& scene) {
         ends.push_back({center->x + lane_m, center->y + lane_m});
       }
     }
-    const auto color = withAlpha(robotColor(i), 0.85);
+    const auto color = withAlpha(robotColor(i), in_front[i] ? 0.85 : kBehindAlpha);
     const std::vector<sylph::Point> points = pieces(ends);
     if (!points.empty()) {
       markers.push_back(

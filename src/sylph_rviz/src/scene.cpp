@@ -4,6 +4,7 @@
 #include <sylph_msgs/TaskReport.h>
 
 #include <algorithm>
+#include <set>
 
 #include "sylph_ros/conversions.hpp"
 
@@ -82,6 +83,32 @@ std::vector<const RobotView*> waitChain(const Scene& scene, const std::string& n
     robot = waits ? findRobot(scene, robot->execution->waits_for_robot) : nullptr;
   }
   return chain;
+}
+
+std::vector<bool> inFront(const Scene& scene) {
+  const bool is_crowd = scene.robots.size() > kCrowd;
+  std::set<std::string> names = {scene.selected};
+  for (const RobotView& robot : scene.robots) {
+    if (!robot.execution) {
+      continue;
+    }
+    const RobotExecution& execution = *robot.execution;
+    if (robot.name == scene.selected) {
+      names.insert(execution.partner);
+    }
+    if (execution.condition != RobotExecution::OK) {
+      names.insert(robot.name);
+    }
+    if (execution.waiting != 0) {
+      names.insert({robot.name, execution.waits_for_robot, execution.root_cause_robot});
+    }
+  }
+  std::vector<bool> in_front;
+  in_front.reserve(scene.robots.size());
+  for (const RobotView& robot : scene.robots) {
+    in_front.push_back(!is_crowd || names.count(robot.name) > 0);
+  }
+  return in_front;
 }
 
 std::vector<sylph::Cell> pathOf(const sylph::MissionPlan& plan, std::size_t agent) {

@@ -25,6 +25,7 @@ std::string svoText(double svo_deg) {
 
 Markers partnerMarkers(const Scene& scene) {
   Markers markers;
+  const std::vector<bool> in_front = inFront(scene);
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     const RobotView& robot = scene.robots[i];
     if (!robot.pose || !robot.execution || robot.execution->partner.empty()) {
@@ -36,7 +37,8 @@ Markers partnerMarkers(const Scene& scene) {
     }
     const int id = static_cast<int>(i);
     const float svo_deg = robot.execution->svo_deg;
-    const auto color = std::isfinite(svo_deg) ? svoColor(svo_deg) : grey();
+    const auto color = withAlpha(std::isfinite(svo_deg) ? svoColor(svo_deg) : grey(),
+                                 in_front[i] ? 1.0 : kBehindAlpha);
     const auto line = bentLine(sylph::position(*robot.pose), sylph::position(*partner->pose), 0.12);
     markers.push_back(lineStrip({"line", id}, line, height::kPartner, 0.025, color));
     markers.push_back(triangles({"head", id}, arrowHead(line[line.size() - 2], line.back(), 0.10),
@@ -74,6 +76,7 @@ Markers svoGauge(const std::string& ns, int first_id, double svo_deg, double rad
 
 Markers svoMarkers(const Scene& scene) {
   Markers markers;
+  const std::vector<bool> in_front = inFront(scene);
   for (std::size_t i = 0; i < scene.robots.size(); ++i) {
     const RobotView& robot = scene.robots[i];
     if (!robot.pose || !robot.execution) {
@@ -83,6 +86,9 @@ Markers svoMarkers(const Scene& scene) {
     const double svo_deg = robot.execution->svo_deg;
     for (Marker& part : svoGauge("gauge", kGaugeMarkers * id, svo_deg, kGaugeRadiusM)) {
       markers.push_back(attach(std::move(part), robot));
+    }
+    if (!in_front[i]) {
+      continue;  // the gauge says it without a number
     }
     const double letter_m = std::isfinite(svo_deg) ? 0.12 : 0.20;  // a dash is small
     markers.push_back(attach(

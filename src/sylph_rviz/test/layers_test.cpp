@@ -47,6 +47,33 @@ TEST(LayersTest, GiveEachMarkerAnIdOfItsOwn) {
   }
 }
 
+TEST(LayersTest, ShowFirstInACrowdWhomTheOperatorLooksFor) {
+  Scene scene = twoRobots();
+  EXPECT_EQ((std::vector<bool>{true, true}), inFront(scene)) << "two are no crowd";
+  while (scene.robots.size() < kCrowd + 1) {
+    scene.robots.push_back(scene.robots[0]);
+    scene.robots.back().name = "robot_" + std::to_string(scene.robots.size() - 1);
+    scene.robots.back().execution->partner = "robot_5";
+  }
+  std::vector<bool> expected(scene.robots.size(), false);
+  EXPECT_EQ(expected, inFront(scene)) << "all drive, and none is selected";
+  EXPECT_NEAR(kBehindAlpha, findMarker(partnerMarkers(scene), "line", 0)->color.a, 1e-6);
+  EXPECT_NEAR(kBehindAlpha, findMarker(pathMarkers(scene), "line", 0)->color.a, 1e-6);
+  EXPECT_EQ(nullptr, findMarker(svoMarkers(scene), "value", 0));
+  EXPECT_NE(nullptr, findMarker(svoMarkers(scene), "gauge", 0));
+  scene.selected = "robot_0";
+  expected[0] = expected[1] = true;
+  EXPECT_EQ(expected, inFront(scene)) << "with its partner";
+  EXPECT_EQ(1.0F, findMarker(partnerMarkers(scene), "line", 0)->color.a);
+  EXPECT_NE(nullptr, findMarker(svoMarkers(scene), "value", 0));
+  scene.robots[3].execution->waiting = 1;
+  scene.robots[3].execution->waits_for_robot = "robot_4";
+  scene.robots[3].execution->root_cause_robot = "robot_6";
+  scene.robots[8].execution->condition = sylph_msgs::RobotExecution::BLIND;
+  expected[3] = expected[4] = expected[6] = expected[8] = true;
+  EXPECT_EQ(expected, inFront(scene));
+}
+
 TEST(LayersTest, AreEmptyForAnEmptySceneAndLeaveOutWhoHasNoPose) {
   for (const Layer& layer : kLayers) {
     EXPECT_TRUE(layer.draw(Scene{}).empty()) << layer.topic;

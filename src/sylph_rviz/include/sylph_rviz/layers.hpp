@@ -5,7 +5,8 @@
 #include "sylph_rviz/scene.hpp"
 #include "sylph_rviz/shapes.hpp"
 
-/// The layers of the picture, each from the scene alone. A robot without a pose is left out.
+/// The layers of the picture, each from the scene alone. A robot without a pose is left out; what
+/// is drawn of one that is not in front, see inFront(), is faint.
 namespace sylph_rviz {
 
 /// Footprints with the front marked, and short names. Move with the robots' transforms.
@@ -74,6 +75,9 @@ constexpr std::array<Layer, 10> kLayers = {{{"markers/robots", robotMarkers},
 
 /// Of the goals that are set by hand, which the operator's panel draws.
 constexpr char kGoalLayerTopic[] = "markers/goals_set";
+
+/// Opacity of ways, goals and partners of robots that are not in front, see inFront().
+constexpr double kBehindAlpha = 0.25;
 
 /// Heights that order what overlaps [m].
 namespace height {

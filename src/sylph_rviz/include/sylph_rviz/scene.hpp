@@ -64,6 +64,14 @@ const RobotView* findRobot(const Scene& scene, const std::string& name);
 /// @return begins with the robot; empty if there is none of that name
 std::vector<const RobotView*> waitChain(const Scene& scene, const std::string& name);
 
+/// More robots than these hide each other's signs.
+constexpr std::size_t kCrowd = 12;
+
+/// Whom an operator looks for in a crowd: the selected robot and its partner, robots with a fault,
+/// those that wait, for whom they wait, and who holds them all up. All where there is no crowd.
+/// @return one per robot of the scene
+std::vector<bool> inFront(const Scene& scene);
+
 /// The cells of an agent's way in a plan, without waits.
 std::vector<sylph::Cell> pathOf(const sylph::MissionPlan& plan, std::size_t agent);
 
