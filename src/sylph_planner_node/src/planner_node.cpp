@@ -146,7 +146,7 @@ void PlannerNode::carryOutCommands() {
   for (auto commands = lifecycle_.takeCommands(); !commands.empty();
        commands = lifecycle_.takeCommands()) {
     for (const sylph::MissionCommand& command : commands) {
-      std::visit([this](const auto& kind) { carryOut(kind); }, command);
+      std::visit([this](const auto& kind) { this->carryOut(kind); }, command);
     }
   }
 }

@@ -1,5 +1,7 @@
 #include "central.hpp"
 
+#include <utility>
+
 #include "sylph_core/adg/explanation.hpp"
 #include "sylph_core/execution/event_line.hpp"
 
@@ -11,10 +13,10 @@ constexpr double kShortestStatePeriod_s = 0.02;
 
 }  // namespace
 
-Central::Central(const sylph::Experiment& experiment, const sylph::ExecutionLimits& limits,
+Central::Central(const sylph::Experiment& experiment, sylph::ExecutionLimits limits,
                  double heartbeat_period_s, EventQueue& queue, Ports ports)
     : experiment_(&experiment),
-      limits_(limits),
+      limits_(std::move(limits)),
       heartbeat_period_s_(heartbeat_period_s),
       queue_(&queue),
       ports_(std::move(ports)),

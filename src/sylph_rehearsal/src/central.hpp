@@ -25,7 +25,7 @@ class Central {
   };
 
   /// @param experiment, queue  have to outlive it
-  Central(const sylph::Experiment& experiment, const sylph::ExecutionLimits& limits,
+  Central(const sylph::Experiment& experiment, sylph::ExecutionLimits limits,
           double heartbeat_period_s, EventQueue& queue, Ports ports);
 
   /// Starts, and goes on from its log.

@@ -52,6 +52,7 @@ class Lab {
 
   void begin(const LabFault& fault);
   void end(const LabFault& fault);
+  void simulate(sylph_sim::Fault fault);
   void tellOfButton();
   /// The operator walks around the robots, and confirms poses that are true.
   void lookAtRobots();

@@ -18,19 +18,9 @@ constexpr double kButtonPeriod_s = 0.05;
 void Lab::begin(const LabFault& fault) {
   const std::vector<std::size_t>& robots = fault.fault.robots;
   switch (fault.kind) {
-    case LabFaultKind::Simulated: {
-      sylph_sim::Fault now = fault.fault;
-      now.at_s = 0.0;
-      simulation_.inject(now);
-      if (now.kind == sylph_sim::FaultKind::Drift) {
-        for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
-          if (robots.empty() || std::count(robots.begin(), robots.end(), robot) > 0) {
-            oracle_.onPushed(robot);
-          }
-        }
-      }
+    case LabFaultKind::Simulated:
+      simulate(fault.fault);
       return;  // it ends by itself
-    }
     case LabFaultKind::Network:
     case LabFaultKind::PoseNetwork:
       setLinks(fault, true);
@@ -123,6 +113,19 @@ void Lab::end(const LabFault& fault) {
     case LabFaultKind::LaunchAnew:
     case LabFaultKind::DeclareLost:
       break;
+  }
+}
+
+void Lab::simulate(sylph_sim::Fault fault) {
+  fault.at_s = 0.0;
+  simulation_.inject(fault);
+  if (fault.kind != sylph_sim::FaultKind::Drift) {
+    return;
+  }
+  for (std::size_t robot = 0; robot < robots_.size(); ++robot) {
+    if (fault.robots.empty() || std::count(fault.robots.begin(), fault.robots.end(), robot) > 0) {
+      oracle_.onPushed(robot);
+    }
   }
 }
 

@@ -14,6 +14,7 @@ namespace {
 /// Eight robots that drive side by side, and one press of the button.
 Rehearsal pressed(std::uint32_t seed, double at_s, double duration_s) {
   std::vector<std::pair<sylph::Cell, sylph::Cell>> missions;
+  missions.reserve(8);
   for (int column = 0; column < 8; ++column) {
     missions.push_back({{9, column}, {0, column}});
   }

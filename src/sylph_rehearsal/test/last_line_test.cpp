@@ -1,6 +1,7 @@
 // The separation monitor as the last line: nothing coordinates the robots.
 #include <gtest/gtest.h>
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -68,7 +69,7 @@ class Uncoordinated {
     }
   }
 
-  int collisions() const { return simulation_.collisions(); }
+  std::uint32_t collisions() const { return simulation_.collisions(); }
   double distanceDriven(std::size_t robot) const {
     const sylph::Point start = setup_.frame.toPoint(experiment_.robots[robot].start);
     return distance(start, sylph::position(simulation_.poses()[robot]));

@@ -145,6 +145,7 @@ TEST(RehearsalTest, NamesWhyThereIsNoPlan) {
 
 TEST(RehearsalTest, PlansLongWaysOfManyRobots) {
   std::vector<std::pair<sylph::Cell, sylph::Cell>> missions;
+  missions.reserve(24);
   for (int robot = 0; robot < 24; ++robot) {
     missions.push_back({{robot, 0}, {robot, 239}});
   }

@@ -144,7 +144,7 @@ Refusal GoalDesk::plan() const {
 }
 
 Refusal GoalDesk::go() const {
-  const Refusal refusal = plan();
+  Refusal refusal = plan();
   if (!refusal.empty() || shownPlan() != 0) {
     return refusal;
   }

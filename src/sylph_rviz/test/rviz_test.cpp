@@ -164,22 +164,22 @@ class MockFleet {
 class RvizTest : public ::testing::Test {
  protected:
   static void SetUpTestSuite() {
-    fleet_ = std::make_unique<MockFleet>();
+    lab().fleet = std::make_unique<MockFleet>();
     std::string config;
     ros::param::get("~config", config);
-    frame_ = std::make_unique<rviz::VisualizationFrame>();
-    frame_->setApp(qApp);
-    frame_->setSplashPath("");
-    frame_->initialize(QString::fromStdString(config));
-    frame_->show();
-    rviz::ViewController* view = frame_->getManager()->getViewManager()->getCurrent();
+    lab().frame = std::make_unique<rviz::VisualizationFrame>();
+    lab().frame->setApp(qApp);
+    lab().frame->setSplashPath("");
+    lab().frame->initialize(QString::fromStdString(config));
+    lab().frame->show();
+    rviz::ViewController* view = lab().frame->getManager()->getViewManager()->getCurrent();
     view->subProp("X")->setValue(0.75);
     view->subProp("Y")->setValue(0.45);
     view->subProp("Scale")->setValue(400);
   }
   static void TearDownTestSuite() {
-    frame_.reset();
-    fleet_.reset();
+    lab().frame.reset();
+    lab().fleet.reset();
   }
 
   void SetUp() override {
@@ -192,14 +192,14 @@ class RvizTest : public ::testing::Test {
 
   template <typename Widget>
   static Widget* find(const char* name) {
-    return frame_->findChild<Widget*>(name);
+    return lab().frame->findChild<Widget*>(name);
   }
   static std::string label(const char* name) { return find<QLabel>(name)->text().toStdString(); }
   static void press(const char* name) { find<QPushButton>(name)->click(); }
 
   static bool waitUntil(const std::function<bool()>& condition) {
     return sylph_ros::waitUntil(condition, [] {
-      fleet_->publishState();
+      lab().fleet->publishState();
       QApplication::processEvents();
       QThread::msleep(10);
     });
@@ -207,12 +207,12 @@ class RvizTest : public ::testing::Test {
 
   /// What is under the mouse is found when a picture is drawn.
   static void waitForPictures() {
-    const std::uint64_t last = frame_->getManager()->getFrameCount() + 3;
-    EXPECT_TRUE(waitUntil([last] { return frame_->getManager()->getFrameCount() > last; }));
+    const std::uint64_t last = lab().frame->getManager()->getFrameCount() + 3;
+    EXPECT_TRUE(waitUntil([last] { return lab().frame->getManager()->getFrameCount() > last; }));
   }
 
   static void chooseTool(const QString& class_id) {
-    rviz::ToolManager* tools = frame_->getManager()->getToolManager();
+    rviz::ToolManager* tools = lab().frame->getManager()->getToolManager();
     for (int i = 0; i < tools->numTools(); ++i) {
       if (tools->getTool(i)->getClassId() == class_id) {
         tools->setCurrentTool(tools->getTool(i));
@@ -228,7 +228,7 @@ class RvizTest : public ::testing::Test {
 
   static void sendMouse(QEvent::Type type, const sylph::Point& at, Qt::MouseButton button,
                         Qt::MouseButtons buttons) {
-    rviz::RenderPanel* panel = frame_->getManager()->getRenderPanel();
+    rviz::RenderPanel* panel = lab().frame->getManager()->getRenderPanel();
     const Ogre::Camera* camera = panel->getCamera();
     const Ogre::Vector3 place =
         camera->getProjectionMatrix() *
@@ -259,22 +259,27 @@ class RvizTest : public ::testing::Test {
     sendMouse(QEvent::MouseButtonRelease, to, Qt::LeftButton, Qt::NoButton);
   }
 
-  static std::unique_ptr<MockFleet> fleet_;
-  static std::unique_ptr<rviz::VisualizationFrame> frame_;
+  /// Of all tests, from SetUpTestSuite() to TearDownTestSuite(): RViz takes seconds to start.
+  struct Lab {
+    std::unique_ptr<MockFleet> fleet;
+    std::unique_ptr<rviz::VisualizationFrame> frame;
+  };
+  static Lab& lab() {
+    static Lab lab;
+    return lab;
+  }
 };
-
-std::unique_ptr<MockFleet> RvizTest::fleet_;
-std::unique_ptr<rviz::VisualizationFrame> RvizTest::frame_;
 
 TEST_F(RvizTest, AButtonOfThePanelReachesTheCentralNode) {
   ASSERT_TRUE(waitUntil([] { return find<QPushButton>("pause")->isEnabled(); }));
   press("pause");
-  EXPECT_TRUE(waitUntil([] { return fleet_->pauses == 1; }));
+  EXPECT_TRUE(waitUntil([] { return lab().fleet->pauses == 1; }));
 }
 
 TEST_F(RvizTest, AClickOnARobotSelectsIt) {
   drag(centerOf({2, 4}), centerOf({2, 4}));
-  EXPECT_TRUE(waitUntil([] { return fleet_->selected() == "robot_1"; })) << fleet_->selected();
+  EXPECT_TRUE(waitUntil([] { return lab().fleet->selected() == "robot_1"; }))
+      << lab().fleet->selected();
   EXPECT_TRUE(waitUntil([] { return find<QTableWidget>("robots")->item(1, 0)->isSelected(); }));
 }
 
@@ -286,14 +291,14 @@ TEST_F(RvizTest, AGoalThatIsDraggedIsPlannedAndThenCarriedOut) {
   press("plan");
   ASSERT_TRUE(waitUntil([] { return find<QPushButton>("go")->isEnabled(); })) << label("goals");
   EXPECT_EQ("robot_0 to (0,2); 2 robots stay\nplan 3: 2 steps, checked", label("goals"));
-  const ExecuteMissionGoal planned = fleet_->planned();
+  const ExecuteMissionGoal planned = lab().fleet->planned();
   ASSERT_EQ(std::vector<std::string>{"robot_0"}, planned.robots);
   EXPECT_EQ((sylph::Cell{0, 2}), sylph_ros::fromMessage(planned.goals.at(0)));
-  EXPECT_TRUE(fleet_->executed().robots.empty()) << "planning moves nobody";
+  EXPECT_TRUE(lab().fleet->executed().robots.empty()) << "planning moves nobody";
   press("go");
-  ASSERT_TRUE(waitUntil([] { return !fleet_->executed().robots.empty(); }));
-  EXPECT_EQ(3U, fleet_->executed().shown_plan_id);
-  EXPECT_EQ(planned.goals, fleet_->executed().goals);
+  ASSERT_TRUE(waitUntil([] { return !lab().fleet->executed().robots.empty(); }));
+  EXPECT_EQ(3U, lab().fleet->executed().shown_plan_id);
+  EXPECT_EQ(planned.goals, lab().fleet->executed().goals);
 }
 
 TEST_F(RvizTest, AGoalThatIsTakenIsRefusedAndTheReasonTold) {
@@ -318,7 +323,7 @@ TEST_F(RvizTest, GoalsAreSavedAsAnExperiment) {
   drag(centerOf({2, 4}), centerOf({2, 3}));
   ASSERT_TRUE(waitUntil([] { return find<QPushButton>("save")->isEnabled(); }));
   press("save");
-  auto* dialog = frame_->findChild<QFileDialog*>();
+  auto* dialog = lab().frame->findChild<QFileDialog*>();
   ASSERT_NE(nullptr, dialog);
   Q_EMIT dialog->fileSelected(folder.filePath("mission.yaml"));
   dialog->close();

@@ -90,8 +90,9 @@ TEST(WaitChainTest, EndsWhereNobodyWaitsAndWhereItClosesARing) {
     scene.robots[i].execution->waiting = 1;
     scene.robots[i].execution->waits_for_robot = scene.robots[1 - i].name;
   }
-  EXPECT_EQ((std::vector<const RobotView*>{&scene.robots[1], &scene.robots[0]}),
-            waitChain(scene, "robot_1"));
+  EXPECT_EQ(
+      (std::vector<const RobotView*>{findRobot(scene, "robot_1"), findRobot(scene, "robot_0")}),
+      waitChain(scene, "robot_1"));
 }
 
 TEST(PlannedPathTest, IsThePlansWithoutWaitsAndElseWhatIsLeft) {

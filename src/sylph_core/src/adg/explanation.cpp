@@ -73,7 +73,7 @@ std::string whyNotMoving(const Execution& execution, int robot, double now_s) {
     return toString(execution.mode()) + (reason.empty() ? std::string() : ": " + reason);
   }
   // Known long before it counts as stuck.
-  if (const std::string reason = holdingFor(monitor); !reason.empty()) {
+  if (std::string reason = holdingFor(monitor); !reason.empty()) {
     return reason;
   }
   const ActionDependencyGraph& graph = *execution.graph();

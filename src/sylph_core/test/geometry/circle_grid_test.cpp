@@ -33,8 +33,10 @@ TEST(CircleGridTest, FindsWhatTouchesAndNotWhatIsFarAway) {
 TEST(CircleGridTest, LooksAtFewOfACrowd) {
   CircleGrid grid(0.3);
   constexpr int kSide = 100;
-  for (int index = 0; index < kSide * kSide; ++index) {
-    grid.put(index, {1.0 * (index % kSide), 1.0 * (index / kSide)}, 0.3);
+  for (int row = 0; row < kSide; ++row) {
+    for (int col = 0; col < kSide; ++col) {
+      grid.put(row * kSide + col, {1.0 * col, 1.0 * row}, 0.3);
+    }
   }
   // Another one that reaches far makes it no more.
   grid.put(kSide * kSide, {-1000.0, 0.0}, 40.0);

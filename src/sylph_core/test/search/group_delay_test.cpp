@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <numeric>
+#include <vector>
+
 #include "joint_search.hpp"
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/mapf/random_instance.hpp"
@@ -28,10 +31,8 @@ void expectExactGroups(bool rotations) {
     const SearchProblem problem(instance);
     const auto costs = PairCosts::compute(problem, enough());
     ASSERT_TRUE(costs.has_value());
-    std::vector<AgentId> agents;
-    for (AgentId agent = 0; agent < instance.agentCount(); ++agent) {
-      agents.push_back(agent);
-    }
+    std::vector<AgentId> agents(instance.starts.size());
+    std::iota(agents.begin(), agents.end(), 0);
     GroupDelay group(problem, *costs, agents, 0);
     ASSERT_TRUE(group.prove(kWhatever, enough()));
     ASSERT_EQ(*least, problem.distances.sum(problem.starts) + group.delay())

@@ -54,6 +54,21 @@ long stepCost(const Instance& instance, const Configuration& from, const Configu
   return cost;
 }
 
+/// @param resting  agents, as bits, that stay where they are for good and cost nothing
+/// @return nothing if one of these would move
+std::optional<long> costWhileResting(const Configuration& from, const Configuration& to,
+                                     unsigned resting) {
+  long cost = 0;
+  for (std::size_t agent = 0; agent < from.size(); ++agent) {
+    const bool is_resting = (resting >> agent & 1U) != 0;
+    if (is_resting && to[agent] != from[agent]) {
+      return std::nullopt;
+    }
+    cost += is_resting ? 0 : 1;
+  }
+  return cost;
+}
+
 }  // namespace
 
 std::optional<long> leastCostByJointSearch(const Instance& instance) {
@@ -117,16 +132,9 @@ std::optional<long> leastSumOfCostsByJointSearch(const Instance& instance) {
     }
     Configuration to;
     const auto step = [&, cost_so_far = cost, &origin = from, bits = resting] {
-      long new_cost = cost_so_far;
-      for (std::size_t agent = 0; agent < agents; ++agent) {
-        const bool is_resting = (bits >> agent & 1U) != 0;
-        if (is_resting && to[agent] != origin[agent]) {
-          return;
-        }
-        new_cost += is_resting ? 0 : 1;
-      }
-      if (isLegalStep(origin, to, instance.motion.rotations)) {
-        relax({to, bits}, new_cost);
+      const std::optional<long> step_cost = costWhileResting(origin, to, bits);
+      if (step_cost && isLegalStep(origin, to, instance.motion.rotations)) {
+        relax({to, bits}, cost_so_far + *step_cost);
       }
     };
     forEachStep(instance.grid, from, to, step);

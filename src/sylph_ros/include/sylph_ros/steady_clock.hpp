@@ -20,8 +20,8 @@ namespace sylph_ros {
 class Publisher {
  public:
   Publisher() = default;
-  Publisher(ros::Publisher publisher, std::shared_ptr<LockStep> lock_step)
-      : publisher_(std::move(publisher)), lock_step_(std::move(lock_step)) {}
+  Publisher(const ros::Publisher& publisher, std::shared_ptr<LockStep> lock_step)
+      : publisher_(publisher), lock_step_(std::move(lock_step)) {}
 
   /// Sends a message, and counts it for those who have to wait for it.
   template <typename Message>
@@ -44,7 +44,7 @@ class Timer {
  public:
   Timer() = default;
   /// Of wall time.
-  explicit Timer(ros::SteadyTimer timer) : steady_(std::move(timer)) {}
+  explicit Timer(const ros::SteadyTimer& timer) : steady_(timer) {}
   /// Of the lab's time, as long as LockStep finds it alive.
   explicit Timer(std::shared_ptr<LockStep::Callback> timer) : lock_step_(std::move(timer)) {}
 
