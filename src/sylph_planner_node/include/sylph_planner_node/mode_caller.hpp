@@ -11,7 +11,7 @@ namespace sylph_planner_node {
 /// Asks the central node to pause or to resume without blocking the caller.
 class ModeCaller {
  public:
-  explicit ModeCaller(ros::NodeHandle nh) : nh_(nh) {}
+  explicit ModeCaller(const ros::NodeHandle& nh) : nh_(nh) {}
 
   /// Robots finish the tasks that they have.
   void pause();

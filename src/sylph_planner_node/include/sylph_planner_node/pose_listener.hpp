@@ -6,6 +6,7 @@
 
 #include <map>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "sylph_core/mission/start_cells.hpp"
@@ -17,7 +18,8 @@ namespace sylph_planner_node {
 /// times a second and robot, a mission asks once.
 class PoseListener {
  public:
-  PoseListener(ros::NodeHandle nh, const sylph_ros::SteadyClock& clock) : nh_(nh), clock_(clock) {}
+  PoseListener(const ros::NodeHandle& nh, sylph_ros::SteadyClock clock)
+      : nh_(nh), clock_(std::move(clock)) {}
 
   /// Subscribes to the poses of these robots, forgetting others.
   void start(const std::vector<std::string>& robots);
