@@ -471,7 +471,7 @@ void OperatorPanel::showSelection(const OperatorView& view) {
   signs_->setText(fromText(view.selected) +
                   ": band = its plan, white = driven, squares = cells it holds, dashes = its "
                   "partner's way, 1 2 3 = who waits for whom");
-  svo_->show(view.svo, view.svo_step);
+  svo_->setSeries(view.svo, view.svo_step);
   if (view.selected == robotOfSelectedRow()) {
     return;
   }

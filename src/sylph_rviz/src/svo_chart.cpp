@@ -74,7 +74,7 @@ SvoChart::SvoChart(QWidget* parent) : QWidget(parent) {
   hide();
 }
 
-void SvoChart::show(const std::vector<SvoSeries>& series, std::uint32_t step) {
+void SvoChart::setSeries(const std::vector<SvoSeries>& series, std::uint32_t step) {
   series_ = series;
   step_ = step;
   setVisible(!series_.empty());

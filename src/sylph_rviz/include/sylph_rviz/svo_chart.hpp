@@ -17,7 +17,7 @@ class SvoChart : public QWidget {
 
   /// @param series  the robot's, then its partner's if there is one; empty: hides the chart
   /// @param step    at which the robot is
-  void show(const std::vector<SvoSeries>& series, std::uint32_t step);
+  void setSeries(const std::vector<SvoSeries>& series, std::uint32_t step);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
