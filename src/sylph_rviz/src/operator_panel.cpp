@@ -4,9 +4,7 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QHBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
-#include <QPainter>
 #include <QProgressBar>
 #include <QProxyStyle>
 #include <QPushButton>
@@ -14,79 +12,23 @@
 #include <QSlider>
 #include <QSpinBox>
 #include <QStandardItemModel>
-#include <QStyledItemDelegate>
-#include <QTableWidget>
 #include <QTimer>
 #include <QVBoxLayout>
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <pluginlib/class_list_macros.hpp>
 
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_ros/topics.hpp"
-#include "sylph_rviz/palette.hpp"
+#include "sylph_rviz/robot_table.hpp"
 #include "sylph_rviz/svo_chart.hpp"
 
 namespace sylph_rviz {
 namespace {
 
 constexpr int kRefreshPeriodMs = 100;
-constexpr int kRefreshesPerFit = 10;  // of the columns' widths
 constexpr double kReplayStepS = 0.1;  // of the slider
-// Columns of the table.
-constexpr int kRobot = 0;
-constexpr int kState = 1;
-constexpr int kCell = 2;
-constexpr int kPartner = 3;
-constexpr int kSvo = 4;
-constexpr int kPoseAge = 5;
-constexpr int kError = 6;
-constexpr int kWaits = 7;
-constexpr int kColumns = 8;
-
-QColor toQColor(const std_msgs::ColorRGBA& color) {
-  return QColor::fromRgbF(color.r, color.g, color.b);
-}
-
-/// Colour of a status, as its badge in the scene has it.
-QColor statusColor(RobotStatus status) {
-  switch (status) {
-    case RobotStatus::Enqueued:
-      return toQColor(bluishGreen());
-    case RobotStatus::Staged:
-      return toQColor(orange());
-    case RobotStatus::Done:
-      return toQColor(skyBlue());
-    case RobotStatus::Held:
-      return toQColor(yellow());
-    case RobotStatus::Fault:
-      return toQColor(vermillion());
-    default:
-      return toQColor(grey());
-  }
-}
-
-/// Draws the SVO as a bar from 0 to 45 degrees with the number on it.
-class SvoDelegate : public QStyledItemDelegate {
- public:
-  using QStyledItemDelegate::QStyledItemDelegate;
-  void paint(QPainter* painter, const QStyleOptionViewItem& option,
-             const QModelIndex& index) const override {
-    QStyledItemDelegate::paint(painter, option, QModelIndex());
-    const QVariant value = index.data(Qt::UserRole);
-    if (!value.isValid()) {
-      return;
-    }
-    constexpr double kLargestDeg = 45.0;
-    QRect bar = option.rect.adjusted(3, 4, -3, -4);
-    painter->setPen(QColor(120, 120, 120));
-    painter->setBrush(Qt::NoBrush);
-    painter->drawRect(bar);
-    bar.setWidth(static_cast<int>(bar.width() * std::min(1.0, value.toDouble() / kLargestDeg)));
-    painter->fillRect(bar, toQColor(svoColor(value.toDouble())));
-    painter->setPen(option.palette.color(QPalette::Text));
-    painter->drawText(option.rect, Qt::AlignCenter, index.data().toString());
-  }
-};
 
 /// A slider of this style goes to where it is clicked, not a page in that direction.
 class ClickedPlaceStyle : public QProxyStyle {
@@ -100,34 +42,8 @@ class ClickedPlaceStyle : public QProxyStyle {
   }
 };
 
-QString number(const std::optional<double>& value, double factor, int digits, const char* unit) {
-  return value ? QString::number(factor * *value, 'f', digits) + unit : QString();
-}
-
 QString fromText(const std::string& text) {
   return QString::fromStdString(text);
-}
-
-/// A cell of the table that is set is drawn and measured anew, also if it holds the same.
-void setData(QTableWidgetItem* item, int role, const QVariant& value) {
-  if (item->data(role) != value) {
-    item->setData(role, value);
-  }
-}
-
-void setText(QTableWidgetItem* item, const QString& text) {
-  setData(item, Qt::DisplayRole, text);
-}
-
-/// The colour of a status, before its word.
-void setStatus(QTableWidgetItem* item, RobotStatus status) {
-  const QVariant value(static_cast<int>(status));
-  if (item->data(Qt::UserRole) != value) {
-    QPixmap square(10, 16);
-    square.fill(statusColor(status));
-    item->setData(Qt::DecorationRole, square);
-    item->setData(Qt::UserRole, value);
-  }
 }
 
 /// Greyed out with the reason as its tool tip, or free.
@@ -251,22 +167,13 @@ void OperatorPanel::buildCommands(QVBoxLayout* column) {
 }
 
 void OperatorPanel::buildTable(QVBoxLayout* column) {
-  table_ = new QTableWidget(0, kColumns);
+  table_ = new RobotTable;
   table_->setObjectName("robots");
-  table_->setHorizontalHeaderLabels(
-      {"Robot", "State", "Cell", "Partner", "SVO [deg]", "Pose age", "Off path", "Waits for"});
-  table_->verticalHeader()->hide();
-  table_->verticalHeader()->setDefaultSectionSize(24);
-  table_->setEditTriggers(QAbstractItemView::NoEditTriggers);
-  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
-  table_->setSelectionMode(QAbstractItemView::SingleSelection);
-  table_->setItemDelegateForColumn(kSvo, new SvoDelegate(table_));
-  table_->horizontalHeader()->setStretchLastSection(true);
   table_->setToolTip(
       "Select a robot: the scene shows its plan and way, its cells, its partner and "
       "for whom it waits. Ctrl+click ends that.");
   connect(table_, &QTableWidget::itemSelectionChanged, this,
-          [this] { link_->select(robotOfSelectedRow()); });
+          [this] { link_->select(table_->selectedRobot()); });
   column->addWidget(table_, 1);
   signs_ = new QLabel;
   signs_->setObjectName("signs");
@@ -323,11 +230,6 @@ void OperatorPanel::askWhereToSave() {
   dialog->open();
 }
 
-std::string OperatorPanel::robotOfSelectedRow() const {
-  const QList<QTableWidgetItem*> items = table_->selectedItems();
-  return items.isEmpty() ? "" : table_->item(items.front()->row(), kRobot)->text().toStdString();
-}
-
 void OperatorPanel::start() {
   MissionChoice choice;
   choice.experiment_path = experiment_->currentData().toString().toStdString();
@@ -345,10 +247,9 @@ void OperatorPanel::refresh() {
   showReplay(view);
   showCommands(view);
   showGoals(view);
-  showRows(view);
+  table_->setRows(view.rows);
   showSelection(view);
   showReasons(view);
-  ++refreshes_;
   if (const std::string outcome = link_->takeOutcome(); !outcome.empty()) {
     outcome_->setText(fromText(outcome));
   }
@@ -439,49 +340,13 @@ void OperatorPanel::showGoals(const OperatorView& view) {
   goals_->setVisible(!view.goals.empty());
 }
 
-void OperatorPanel::showRows(const OperatorView& view) {
-  table_->setRowCount(static_cast<int>(view.rows.size()));
-  for (int i = 0; i < table_->rowCount(); ++i) {
-    for (int column = 0; column < kColumns; ++column) {
-      if (table_->item(i, column) == nullptr) {
-        table_->setItem(i, column, new QTableWidgetItem);
-      }
-    }
-    const RobotRow& row = view.rows[static_cast<std::size_t>(i)];
-    setText(table_->item(i, kRobot), fromText(row.name));
-    setText(table_->item(i, kState), fromText(row.state));
-    setStatus(table_->item(i, kState), row.status);
-    setText(table_->item(i, kCell), fromText(row.cell));
-    setText(table_->item(i, kPartner), fromText(row.partner));
-    setText(table_->item(i, kSvo), number(row.svo_deg, 1.0, 0, ""));
-    setData(table_->item(i, kSvo), Qt::UserRole, row.svo_deg ? QVariant(*row.svo_deg) : QVariant());
-    setText(table_->item(i, kPoseAge), number(row.pose_age_s, 1.0, 2, " s"));
-    setText(table_->item(i, kError), number(row.tracking_error_m, 1000.0, 0, " mm"));
-    setText(table_->item(i, kWaits), fromText(row.waits));
-    setData(table_->item(i, kWaits), Qt::ToolTipRole, fromText(row.reason));
-  }
-  // Left to the header, each change of a cell would measure all others.
-  if (refreshes_ % kRefreshesPerFit == 0) {
-    table_->resizeColumnsToContents();
-  }
-}
-
 void OperatorPanel::showSelection(const OperatorView& view) {
   signs_->setVisible(!view.selected.empty());
   signs_->setText(fromText(view.selected) +
                   ": band = its plan, white = driven, squares = cells it holds, dashes = its "
                   "partner's way, 1 2 3 = who waits for whom");
   svo_->setSeries(view.svo, view.svo_step);
-  if (view.selected == robotOfSelectedRow()) {
-    return;
-  }
-  const QSignalBlocker blocker(table_);
-  table_->clearSelection();
-  for (int i = 0; i < table_->rowCount(); ++i) {
-    if (view.rows[static_cast<std::size_t>(i)].name == view.selected) {
-      table_->selectRow(i);
-    }
-  }
+  table_->selectRobot(view.selected);
 }
 
 void OperatorPanel::showReasons(const OperatorView& view) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "sylph_rviz/palette.hpp"
+#include "sylph_rviz/qt_color.hpp"
 
 namespace sylph_rviz {
 namespace {
@@ -44,10 +45,9 @@ void drawColumns(QPainter& painter, const Axes& axes, const std::vector<float>& 
   for (std::size_t step = 0; step < svo_deg.size(); ++step) {
     const auto deg = static_cast<double>(svo_deg[step]);
     if (std::isfinite(deg)) {
-      const std_msgs::ColorRGBA color = svoColor(deg);
       painter.fillRect(QRectF(QPointF(axes.x(step), axes.y(deg)),
                               QPointF(axes.x(step + 1), axes.area.bottom() + 1)),
-                       QColor::fromRgbF(color.r, color.g, color.b));
+                       toQColor(svoColor(deg)));
     }
   }
 }

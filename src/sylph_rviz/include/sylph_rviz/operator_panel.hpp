@@ -14,11 +14,11 @@ class QProgressBar;
 class QPushButton;
 class QSlider;
 class QSpinBox;
-class QTableWidget;
 class QVBoxLayout;
 
 namespace sylph_rviz {
 
+class RobotTable;
 class SvoChart;
 
 /// RViz panel `sylph_rviz/OperatorPanel`: where the mission stands, a line for each robot, and the
@@ -41,7 +41,6 @@ class OperatorPanel : public rviz::Panel {
   void buildGoals(QVBoxLayout* column);
   void buildTable(QVBoxLayout* column);
   static QPushButton* makeButton(const char* name, const QString& text);
-  std::string robotOfSelectedRow() const;  ///< empty: none
   void start();
   void askWhereToSave();
   void showExperiments();
@@ -50,13 +49,11 @@ class OperatorPanel : public rviz::Panel {
   void showReplayTime(double at_s);
   void showGoals(const OperatorView& view);
   void showCommands(const OperatorView& view);
-  void showRows(const OperatorView& view);
   void showSelection(const OperatorView& view);
   void showReasons(const OperatorView& view);
 
   std::unique_ptr<OperatorLink> link_;
   std::vector<ExperimentChoice> experiments_;
-  long refreshes_ = 0;
   QComboBox* experiment_ = nullptr;
   QComboBox* planner_ = nullptr;
   QSpinBox* seed_ = nullptr;
@@ -80,7 +77,7 @@ class OperatorPanel : public rviz::Panel {
   QPushButton* go_ = nullptr;
   QPushButton* clear_goals_ = nullptr;
   QPushButton* save_ = nullptr;
-  QTableWidget* table_ = nullptr;
+  RobotTable* table_ = nullptr;
   QLabel* signs_ = nullptr;
   SvoChart* svo_ = nullptr;
   QLabel* reasons_ = nullptr;
