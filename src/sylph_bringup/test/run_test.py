@@ -19,12 +19,12 @@ FILES = {
         build() { :; }
     """,
     "devel/setup.bash": 'PATH=$PWD/devel:$PATH\n',
-    # Keeps its arguments and leaves a run folder as $LEAVE says.
+    # Keeps its arguments and leaves a run folder and sylph_mission's exit status as $LEAVE and $STATUS say.
     "devel/roslaunch": """#!/usr/bin/env bash
         printf '%s\\n' "$@" > arguments
         for argument in "$@"; do declare "${argument%%:=*}=${argument#*:=}" 2> /dev/null; done
         eval "$LEAVE"
-        echo 0 > "$mission_status"
+        echo "$STATUS" > "$mission_status"
     """,
 }
 
@@ -47,8 +47,8 @@ class RunTest(unittest.TestCase):
         os.symlink(os.path.join(PACKAGE_ROOT, "launch"), os.path.join(self.root, "launch"))
         shutil.copy(os.path.join(ROOT, "run"), self.root)
 
-    def run_it(self, *arguments, leave=":"):
-        environment = dict(os.environ, LEAVE=leave, HOME=self.caller, ROS_HOME=self.caller)
+    def run_it(self, *arguments, leave=":", status=0):
+        environment = dict(os.environ, LEAVE=leave, STATUS=str(status), HOME=self.caller, ROS_HOME=self.caller)
         environment.pop("DISPLAY", None)
         return subprocess.run([os.path.join(self.root, "run"), *arguments], cwd=self.caller, env=environment,
                               capture_output=True, text=True, check=False)  # fmt: skip
@@ -72,6 +72,13 @@ class RunTest(unittest.TestCase):
             ran = self.run_it(f"run_folder:={success}", leave=f'mkdir "$run_folder"; echo success: {success} > "$run_folder/result.yaml"')
             self.assertEqual(status, ran.returncode, ran.stderr)
             self.assertIn(f"result: {self.caller}/{success}/result.yaml\nsuccess: {success}\n", ran.stdout)
+
+    def test_a_mission_that_failed_is_no_success_whatever_the_result_says(self):
+        leave = 'mkdir "$run_folder"; echo success: true > "$run_folder/result.yaml"'
+        for status in (1, 2, 137):
+            ran = self.run_it(f"run_folder:={status}", leave=leave, status=status)
+            self.assertEqual(1, ran.returncode, ran.stderr)
+            self.assertIn("success: true\n", ran.stdout)
 
     def test_takes_no_older_result_for_this_runs(self):
         folder = self.folder_to_resume()
