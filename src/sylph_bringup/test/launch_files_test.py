@@ -122,6 +122,13 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertEqual("pibt", value_of(config, "/sylph/planner"))
         self.assertEqual("/run", value_of(config, "/sylph/run_folder"))
 
+    def test_what_concerns_one_node_reaches_its_parameters(self):
+        arguments = {"align": "/sylph/sylph_adg_central/align",
+                     "ignore_unseen_robots": "/sylph/sylph_planner/ignore_unseen_robots"}  # fmt: skip
+        for argument, parameter in arguments.items():
+            for value in (True, False):
+                self.assertIs(value, value_of(load(LAB, **{argument: str(value).lower()}), parameter))
+
     def test_paths_count_from_where_the_user_stands(self):
         lab, weights = self.write("my lab.yaml"), self.write("w.safetensors")
         os.environ["HOME"] = self.folder
