@@ -29,7 +29,7 @@ class ReplayTest(unittest.TestCase):
         self.bag = os.path.join(folder.name, "run.bag")
 
     def topics_while_playing(self, **environment):
-        """All topics that somebody publishes while the bag is played to its end."""
+        """All topics that are published while the bag is played to its end."""
         replay = subprocess.Popen([REPLAY, self.bag, "--exit-when-done"], env=dict(os.environ, **environment))
         published = set()
         deadline = time.monotonic() + DEADLINE_S
@@ -139,7 +139,8 @@ class ReplayTest(unittest.TestCase):
 
     def test_refuses_a_bag_of_another_version_of_the_suite(self):
         small_run.write_old_bag(self.bag)
-        self.assert_refused("/robot_0/task is sylph_msgs/Task of another version of the suite")
+        self.assert_refused("/robot_0/task is sylph_msgs/Task of another version of the suite (sylph_msgs/Cell has no "
+                            "'int8 row' any more, ")
 
 
 if __name__ == "__main__":

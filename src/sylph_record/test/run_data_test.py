@@ -61,7 +61,12 @@ class RunDataTest(unittest.TestCase):
         small_run.write_old_bag(os.path.join(self.folder.name, "run.bag"))
         missing = run_data.load(self.folder.name).missing
         self.assertEqual(len(missing), 1)
-        self.assertIn("/robot_0/task is sylph_msgs/Task of another version of the suite", missing[0])
+        self.assertIn(
+            "/robot_0/task is sylph_msgs/Task of another version of the suite (sylph_msgs/Cell has no 'int8 row' any "
+            "more, sylph_msgs/Cell has 'int32 row' now, sylph_msgs/Task has no 'uint16 tasks' any more, sylph_msgs/Task "
+            "has 'uint32 robot_tasks' now): use the version that recorded it",
+            missing[0],
+        )
 
     def test_reads_what_rosbag_reads(self):
         path = os.path.join(self.folder.name, "run.bag")

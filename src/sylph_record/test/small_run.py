@@ -120,7 +120,7 @@ class OldTask(Task):
     """A message as an earlier version of the suite defined it."""
 
     _md5sum = "0" * 32
-    _full_text = "uint32 plan_id"
+    _full_text = Task._full_text.replace("uint32 robot_tasks", "uint16 tasks").replace("int32 row", "int8 row")
 
 
 def write_old_bag(path):

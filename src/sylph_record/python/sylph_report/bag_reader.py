@@ -24,6 +24,7 @@ class Connection:
     topic: str
     type: str
     md5sum: str
+    definition: str  # of the message and those in it, as gendeps --cat writes it
 
 
 class BagReader:
@@ -56,9 +57,9 @@ class BagReader:
         for _ in range(struct.unpack("<I", header_of_bag[b"conn_count"])[0]):
             header, data = _read_record(file)
             fields = _fields(data)
-            self.connections[struct.unpack("<I", header[b"conn"])[0]] = Connection(
-                header[b"topic"].decode(), fields[b"type"].decode(), fields[b"md5sum"].decode()
-            )
+            said = [header[b"topic"], fields[b"type"], fields[b"md5sum"], fields[b"message_definition"]]
+            number = struct.unpack("<I", header[b"conn"])[0]
+            self.connections[number] = Connection(*(text.decode() for text in said))
         spans = [_read_record(file)[0] for _ in range(struct.unpack("<I", header_of_bag[b"chunk_count"])[0])]
         self.begin_s = min((_time(s[b"start_time"]) for s in spans), default=0.0)
         self.duration_s = max((_time(s[b"end_time"]) for s in spans), default=self.begin_s) - self.begin_s
