@@ -133,9 +133,7 @@ class Restarts {
  private:
   std::vector<Vertices> searchFrom(const std::vector<Vertices>& plan, std::size_t timestep,
                                    const Deadline& deadline) {
-    // Now and then from the start: the first steps decide much, and a random step is seldom among
-    // them.
-    const std::size_t begin = ++attempts_ % 3 == 0 ? 0 : timestep;
+    const std::size_t begin = ++attempts_ % settings_->restarts_per_start == 0 ? 0 : timestep;
     const auto generator = (*make_generator_)(*problem_, attempts_, *rng_);
     Lacam lacam(*problem_, plan[begin], *generator, *rng_);
     lacam.search(deadline, settings_->steps_per_step * static_cast<long>(plan.size() - begin));

@@ -162,7 +162,7 @@ SearchResult LacamPlanner::search(const SearchProblem& problem, Guide& guide,
         limits.social_states ? timeForSocialStates(guide, result.plan, deadline) : 0.0;
     const long proved = provedSumOfCosts(
         problem, costOf(result.plan),
-        deadline.within(kSettings.proof_share * (deadline.remaining() - reserve_s)));
+        deadline.within(kSettings.proof_share * (deadline.remaining() - reserve_s)), kSettings);
     Improvement improvement = improveSolutions(problem, solutions.plans, limits.threads, deadline,
                                                statistics.first_solution_s, reserve_s, proved, rng);
     result.plan = std::move(improvement.plan);

@@ -116,13 +116,12 @@ int leastTeamDelay(const std::vector<DelayOfAgents>& groups, int agents) {
   return delay;
 }
 
-long provedSumOfCosts(const SearchProblem& problem, long enough, const Deadline& deadline) {
-  constexpr int kMostAgents = 16;           // 560 groups of three
-  constexpr double kShareOfOneGroup = 0.1;  // of the time
-  const double group_s = kShareOfOneGroup * deadline.remaining();
+long provedSumOfCosts(const SearchProblem& problem, long enough, const Deadline& deadline,
+                      const ImprovementSettings& settings) {
+  const double group_s = settings.proof_share_of_group * deadline.remaining();
   const long distances = problem.distances.sum(problem.starts);
   const int agents = problem.agentCount();
-  if (agents > kMostAgents || distances >= enough) {
+  if (agents > settings.most_agents_of_proof || distances >= enough) {
     return distances;
   }
   const std::optional<PairCosts> costs = PairCosts::compute(problem, deadline);

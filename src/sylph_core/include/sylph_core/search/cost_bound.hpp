@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "sylph_core/search/deadline.hpp"
+#include "sylph_core/search/improvement_settings.hpp"
 #include "sylph_core/search/search_problem.hpp"
 
 namespace sylph {
@@ -26,8 +27,10 @@ int leastTeamDelay(const std::vector<DelayOfAgents>& groups, int agents);
 /// From what pairs, groups of three and groups of four would cost alone on the map, as far as there
 /// is time. The weighted dependency graph of Li et al. 2019 ("Improved Heuristics for Multi-Agent
 /// Path Finding with Conflict-Based Search") goes as far as pairs.
-/// @param enough  the cost of a plan: nothing beyond it is looked for
+/// @param enough    the cost of a plan: nothing beyond it is looked for
+/// @param settings  those of the proof
 /// @return the sum of distances where map or team are too large: see PairCosts
-long provedSumOfCosts(const SearchProblem& problem, long enough, const Deadline& deadline);
+long provedSumOfCosts(const SearchProblem& problem, long enough, const Deadline& deadline,
+                      const ImprovementSettings& settings = {});
 
 }  // namespace sylph
