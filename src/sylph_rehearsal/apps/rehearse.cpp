@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <memory>
 #include <random>
 #include <stdexcept>
 #include <string>
@@ -20,6 +21,7 @@
 #include "sylph_core/command/run_command.hpp"
 #include "sylph_core/experiment/experiment.hpp"
 #include "sylph_core/planners/planner.hpp"
+#include "sylph_core/policy/policy.hpp"
 #include "sylph_rehearsal/rehearsal.hpp"
 #include "sylph_rehearsal/seeds.hpp"
 #include "sylph_rehearsal/shrink.hpp"
@@ -59,9 +61,8 @@ std::vector<sylph_rehearsal::LabFault> faultsOf(const Options& options,
 }
 
 /// Runs each seed once, in so many threads; no run knows of another one.
-std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::SeedRange& seeds) {
-  const sylph::Experiment first = sylph::loadExperiment(options.experiment_path);
-  const auto policy = sylph::loadPolicyFor(first.planning.planner, first.planning.weights_path);
+std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::SeedRange& seeds,
+                              const std::shared_ptr<const sylph::Policy>& policy) {
   std::vector<Rehearsal> runs(seeds.count());
   sylph::ProgressBar progress(runs.size());
   sylph::parallelFor(
@@ -102,11 +103,10 @@ void writeEventLogs(const std::string& folder, const std::vector<Rehearsal>& run
 }
 
 /// How to see a run again, and what is the least that makes it fail.
-void tellFailure(const Options& options, const Rehearsal& run) {
+void tellFailure(const Options& options, const std::shared_ptr<const sylph::Policy>& policy,
+                 const Rehearsal& run) {
   const sylph::Experiment experiment =
       sylph_rehearsal::experimentOf(options.experiment_path, run.seed, options.robots);
-  const auto policy =
-      sylph::loadPolicyFor(experiment.planning.planner, experiment.planning.weights_path);
   const std::vector<sylph_rehearsal::LabFault> least =
       sylph_rehearsal::shrink(run.faults, [&](const auto& faults) {
         return sylph_rehearsal::rehearse(experiment, {}, policy, faults).ending == Ending::Violated;
@@ -122,9 +122,11 @@ void tellFailure(const Options& options, const Rehearsal& run) {
 }
 
 int rehearseAll(const Options& options) {
+  const sylph::Experiment file = sylph::loadExperiment(options.experiment_path);
+  const auto policy = sylph::loadPolicyFor(file.planning.planner, file.planning.weights_path);
   sylph_rehearsal::SeedRange seeds;
   if (options.seeds.empty()) {
-    seeds.first = sylph::loadExperiment(options.experiment_path).seed;
+    seeds.first = file.seed;
     seeds.last = seeds.first;
   } else {
     seeds = sylph_rehearsal::seedsFromText(options.seeds);
@@ -132,7 +134,7 @@ int rehearseAll(const Options& options) {
   if (!options.report_path.empty()) {
     writeFile(options.report_path, "");  // a wrong path is told before hours of runs
   }
-  const std::vector<Rehearsal> runs = runAll(options, seeds);
+  const std::vector<Rehearsal> runs = runAll(options, seeds, policy);
   if (!options.event_logs.empty()) {
     writeEventLogs(options.event_logs, runs);
   }
@@ -149,7 +151,7 @@ int rehearseAll(const Options& options) {
     is_good = is_good &&
               (run.ending == Ending::Finished || (has_faults && run.ending == Ending::Stopped));
     if (run.ending == Ending::Violated && told++ < kMostFailures) {
-      tellFailure(options, run);
+      tellFailure(options, policy, run);
     }
   }
   return is_good ? EXIT_SUCCESS : EXIT_FAILURE;

@@ -4,6 +4,7 @@
 #include <netdb.h>
 #include <poll.h>
 #include <ros/master.h>
+#include <ros/names.h>
 #include <ros/network.h>
 #include <ros/this_node.h>
 #include <sylph_msgs/TaskReport.h>
@@ -142,8 +143,8 @@ std::vector<std::string> robotsElsewhere(const std::string& ns,
   }
   std::vector<std::string> lines;
   for (const std::string& robot : robots) {
-    const std::string name = "/" + robot + "/" + kTaskReportTopic;
-    const std::string wanted = ns == "/" ? name : ns + name;
+    const std::string name = ros::names::append("/" + robot, kTaskReportTopic);
+    const std::string wanted = ros::names::append(ns, name);
     std::string found;
     for (const ros::master::TopicInfo& topic : topics) {
       if (topic.name == wanted) {
