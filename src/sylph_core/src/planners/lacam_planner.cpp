@@ -27,7 +27,7 @@ Outcome outcomeOf(Lacam::Status status) {
   return Outcome::Solved;
 }
 
-/// The second attempt is policy-guided, the others go by distance.
+/// The second attempt is policy-guided, the others are guided by distance.
 FirstSolution findBySomeOrder(const SearchProblem& problem, Guide& guide, const Deadline& deadline,
                               Rng& rng) {
   const auto make_generator = [&](const SearchProblem& /*problem*/, int attempt, Rng& /*rng*/) {

@@ -82,7 +82,7 @@ TEST_F(CommandsTest, PlanPrintsOneLineOfJsonAndWritesAPlanThatCheckAccepts) {
   EXPECT_EQ(2, line["agents"].get<int>());
   EXPECT_EQ(2, line["arrived"].get<int>());
   EXPECT_EQ(4, line["sum_of_costs_lower_bound"].get<int>());
-  EXPECT_GE(line["sum_of_costs"].get<int>(), 5);  // somebody has to step aside
+  EXPECT_GE(line["sum_of_costs"].get<int>(), 5);  // one has to step aside
   EXPECT_LE(line["seconds_to_first"].get<double>(), line["seconds"].get<double>());
   EXPECT_TRUE(line["proved_sum_of_costs"].is_null()) << "a first solution proves nothing";
 

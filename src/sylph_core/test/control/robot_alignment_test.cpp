@@ -23,7 +23,7 @@ class RobotAlignmentTest : public testing::Test {
     world_.run(0.2);
   }
 
-  /// Somebody puts it there, whose hands hide it meanwhile.
+  /// The operator puts it there, whose hands hide it meanwhile.
   void put(const Pose2d& pose) {
     world_.loseSightFor(0.3);
     world_.pose = pose;

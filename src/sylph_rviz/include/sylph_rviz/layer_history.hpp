@@ -24,7 +24,7 @@ class LayerHistory {
   /// @param now_s       steady time [s]
   visualization_msgs::MarkerArray update(Markers markers, double lifetime_s, double now_s);
 
-  /// The next message has all markers: somebody has begun to listen, or has forgotten them.
+  /// The next message has all markers: a subscriber is new, or has forgotten them.
   void sendAll() { sends_all_ = true; }
 
  private:

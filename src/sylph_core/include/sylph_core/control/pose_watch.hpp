@@ -65,7 +65,7 @@ class PoseWatch {
   void confirm() { is_confirmed_ = other_place_.has_value(); }
 
   /// Whether the robot may have been carried since it was believed last: it was out of sight, or
-  /// seen on its way. A place that it takes in one step, in sight, is none where somebody put it.
+  /// seen on its way. A place that it takes in one step, in sight, is none where it was put.
   bool mayBeCarried() const { return was_unseen_ || moves_ >= kMovesOfCarrying; }
 
   /// Where the robot is seen that only the operator can confirm: nothing while it is believed, or
