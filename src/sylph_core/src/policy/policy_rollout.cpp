@@ -39,6 +39,15 @@ float drawnAngle(const float* probabilities, Rng& rng) {
   return static_cast<float>(svoOfLevel(static_cast<int>(level)));
 }
 
+float randomAngle(Rng& rng) {
+  return static_cast<float>(svoOfLevel(static_cast<int>(drawIndex(rng, kSvoLevelCount))));
+}
+
+/// Whether the policy has no say in the SVO.
+bool isAssigned(SvoChoice choice) {
+  return choice != SvoChoice::Mean && choice != SvoChoice::Sample;
+}
+
 /// The distribution of an agent on its goal.
 template <typename Row>
 void makeMostProsocial(Row&& probabilities) {
@@ -74,6 +83,11 @@ PolicyRollout::PolicyRollout(const Policy& policy, const Grid& grid,
   for (std::size_t agent = 0; agent < distances.size(); ++agent) {
     tie_breaks_.push_back(static_cast<float>(drawFraction(rng)));
   }
+  if (svo_choice == SvoChoice::RandomPerEpisode) {
+    for (std::size_t agent = 0; agent < distances.size(); ++agent) {
+      episode_svo_deg_.push_back(randomAngle(rng));
+    }
+  }
 }
 
 PolicyStep PolicyRollout::nothingKnown() const {
@@ -102,23 +116,23 @@ PolicyStep PolicyRollout::follow(const PolicyStep& before, const Configuration& 
   AgentStates states{to, {}, before.social.svo_deg, before.priorities, tie_breaks_};
   NetworkInput input;
   input.svo = before.svo;
+  partners_.update(to, before.social.partners);
+  input.partners = partners_.fixed();
   for (std::size_t agent = 0; agent < count; ++agent) {
     states.last_moves.push_back(actionBetween(from[agent], to[agent]).value_or(Action::Stay));
     const bool is_home = to[agent] == (*distances_)[agent].goal();
     states.priorities[agent] = is_home ? 0 : states.priorities[agent] + 1;
     auto svo = input.svo.row(static_cast<Eigen::Index>(agent));
-    if (svo_choice_ == SvoChoice::Priority) {
-      states.svo_deg[agent] = svoByPriority(states.priorities[agent], tie_breaks_[agent]);
-      spreadOverLevels(states.svo_deg[agent], svo.data());
-    } else if (is_home) {
+    if (is_home) {
       states.svo_deg[agent] = static_cast<float>(svoOfLevel(kMostProsocialLevel));
       makeMostProsocial(svo);
+    } else if (isAssigned(svo_choice_)) {
+      states.svo_deg[agent] = assigned(agent, states.priorities[agent], before, rng);
+      spreadOverLevels(states.svo_deg[agent], svo.data());
     }
   }
   input.memory = before.memory.size() > 0 ? before.memory
                                           : AgentRows::Zero(rows, policy_->network().shape().width);
-  partners_.update(to, before.social.partners);
-  input.partners = partners_.fixed();
   return evaluate(std::move(states), std::move(input), use, rng);
 }
 
@@ -145,7 +159,7 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, StepU
   silenceUnlessFinite(step.actions);
   silenceUnlessFinite(step.by_cost);
   silenceUnlessFinite(output.svo);
-  step.svo = svo_choice_ == SvoChoice::Priority ? std::move(input.svo) : softmax(output.svo);
+  step.svo = isAssigned(svo_choice_) ? std::move(input.svo) : softmax(output.svo);
   step.priorities = std::move(states.priorities);
   step.social.partners = std::move(input.partners);
   for (Eigen::Index agent = 0; agent < rows; ++agent) {
@@ -160,6 +174,23 @@ PolicyStep PolicyRollout::evaluate(AgentStates states, NetworkInput input, StepU
     silenceUnlessFinite(step.memory);
   }
   return step;
+}
+
+/// The SVO of an agent off its goal where the policy has no say [deg].
+float PolicyRollout::assigned(std::size_t agent, int priority, const PolicyStep& before,
+                              Rng& rng) const {
+  const bool was_under_way = before.priorities[agent] > 0;  // neither on its goal nor at the start
+  if (svo_choice_ == SvoChoice::Priority) {
+    return svoByPriority(priority, tie_breaks_[agent]);
+  }
+  if (svo_choice_ == SvoChoice::RandomPerEpisode) {
+    return episode_svo_deg_[agent];
+  }
+  if (svo_choice_ == SvoChoice::RandomPerPartner && was_under_way &&
+      partners_.fixed()[agent] == before.social.partners[agent]) {
+    return before.social.svo_deg[agent];
+  }
+  return randomAngle(rng);
 }
 
 float PolicyRollout::actedBy(const float* probabilities, Rng& rng) const {

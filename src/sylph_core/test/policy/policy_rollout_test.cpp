@@ -2,7 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 
@@ -178,6 +180,62 @@ TEST_F(PolicyRolloutTest, SvosByWaitingAreThoseOfTheRule) {
     EXPECT_FLOAT_EQ(svoByPriority(30, walk.tieBreaks()[agent]), step.social.svo_deg[agent]);
   }
   EXPECT_EQ(45.F, step.social.svo_deg[2]);
+}
+
+TEST_F(PolicyRolloutTest, RandomSvosAreLevelsDrawnAtEachStep) {
+  auto walk = rollout(SvoChoice::RandomPerStep);
+  std::map<float, int> counts;
+  PolicyStep step = walk.nothingKnown();
+  constexpr int kDraws = 1000;
+  for (int draw = 0; draw < kDraws; ++draw) {
+    step = walk.follow(step, starts_, starts_, rng_);
+    ++counts[step.social.svo_deg[0]];
+    EXPECT_EQ(45.F, step.social.svo_deg[2]) << "on its goal";
+  }
+  EXPECT_EQ(static_cast<std::size_t>(kSvoLevelCount), counts.size());
+  for (const auto& [svo_deg, count] : counts) {
+    EXPECT_EQ(0.0, std::fmod(svo_deg, kSvoLevelSpacingDeg));
+    EXPECT_NEAR(kDraws / kSvoLevelCount, count, 40);  // four standard errors
+  }
+}
+
+TEST_F(PolicyRolloutTest, RandomSvosOfAnEpisodeStayAndAreAnothersInAnother) {
+  std::set<float> drawn;
+  for (std::uint32_t seed = 0; seed < 20; ++seed) {
+    Rng rng(seed);
+    PolicyRollout walk(*policy_, grid_, distances_, SvoChoice::RandomPerEpisode, 1, rng);
+    const PolicyStep first = firstStep(walk);
+    const PolicyStep second = walk.follow(first, starts_, next_, rng_);
+    EXPECT_EQ(first.social.svo_deg, second.social.svo_deg);
+    EXPECT_EQ(45.F, first.social.svo_deg[2]) << "on its goal";
+    drawn.insert(first.social.svo_deg[0]);
+  }
+  EXPECT_GT(drawn.size(), 4U);
+}
+
+TEST_F(PolicyRolloutTest, RandomSvosOfAPartnerAreDrawnAnewWithAnotherPartner) {
+  auto walk = rollout(SvoChoice::RandomPerPartner);
+  const PolicyStep first = firstStep(walk);
+  ASSERT_EQ(1, first.social.partners[0]);
+  PolicyStep before = first;
+  std::set<float> with_another;
+  for (int draw = 0; draw < 20; ++draw) {
+    EXPECT_EQ(first.social.svo_deg, walk.follow(first, starts_, starts_, rng_).social.svo_deg);
+    before.social.partners[0] = 2;
+    const PolicyStep step = walk.follow(before, starts_, starts_, rng_);
+    ASSERT_EQ(1, step.social.partners[0]);
+    EXPECT_EQ(first.social.svo_deg[1], step.social.svo_deg[1]) << "keeps its partner";
+    with_another.insert(step.social.svo_deg[0]);
+  }
+  EXPECT_GT(with_another.size(), 4U);
+}
+
+TEST_F(PolicyRolloutTest, TheNetworkSeesAssignedSvosAndNotItsOwn) {
+  auto learned = rollout();
+  auto random = rollout(SvoChoice::RandomPerEpisode);
+  const PolicyStep step = firstStep(random);
+  EXPECT_FLOAT_EQ(1.F, step.svo(0, static_cast<int>(step.social.svo_deg[0] / kSvoLevelSpacingDeg)));
+  EXPECT_NE(firstStep(learned).actions, step.actions);
 }
 
 TEST_F(PolicyRolloutTest, TheSvosOfTheStepBeforeDecideWhatIsSeen) {

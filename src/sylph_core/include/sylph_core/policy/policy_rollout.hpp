@@ -13,11 +13,16 @@
 
 namespace sylph {
 
-/// Which SVO agents act by, of the distribution that the policy gives.
+/// Which SVO agents act by while off their goals: one of the distribution that the policy gives or,
+/// to compare with, one that it has no say in. The random ones are levels, each as likely, as in He
+/// et al. 2024 (arXiv:2408.03063), "Paired t-test".
 enum class SvoChoice {
-  Mean,      ///< the mean angle
-  Sample,    ///< a level, drawn
-  Priority,  ///< none of it: the rule of priorities, see svoByPriority(), to compare with
+  Mean,              ///< the policy's mean angle
+  Sample,            ///< a level, drawn from the policy's distribution
+  Priority,          ///< by the rule of priorities, see svoByPriority()
+  RandomPerStep,     ///< drawn anew at each step
+  RandomPerEpisode,  ///< drawn once
+  RandomPerPartner,  ///< drawn anew whenever the agent's partner changes, or it leaves its goal
 };
 
 /// What is wanted of a step.
@@ -68,6 +73,7 @@ class PolicyRollout {
 
  private:
   PolicyStep evaluate(AgentStates states, NetworkInput input, StepUse use, Rng& rng);
+  float assigned(std::size_t agent, int priority, const PolicyStep& before, Rng& rng) const;
   float actedBy(const float* probabilities, Rng& rng) const;
 
   const Policy* policy_;
@@ -77,6 +83,7 @@ class PolicyRollout {
   ObservationEncoder encoder_;
   Partners partners_;
   std::vector<float> tie_breaks_;
+  std::vector<float> episode_svo_deg_;  // where it is drawn once
   long calls_ = 0;
 };
 
