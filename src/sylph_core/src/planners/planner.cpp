@@ -19,6 +19,23 @@ const std::map<std::string, PolicyUse>& policyUses() {
   return kUses;
 }
 
+void ablate(PolicySettings& settings, const std::string& ablation) {
+  static const std::map<std::string, SvoChoice> kSvoChoices = {
+      {"svo_by_priority", SvoChoice::Priority},
+      {"random_svo_per_step", SvoChoice::RandomPerStep},
+      {"random_svo_per_episode", SvoChoice::RandomPerEpisode},
+      {"random_svo_per_partner", SvoChoice::RandomPerPartner}};
+  const auto choice = kSvoChoices.find(ablation);
+  if (choice != kSvoChoices.end()) {
+    settings.svo_choice = choice->second;
+  } else if (ablation == "random_tie_breaking") {
+    settings.breaks_ties_by_svo = false;
+  } else {
+    throw std::invalid_argument("ablation '" + ablation + "' is unknown: must be one of " +
+                                join(ablationNames()));
+  }
+}
+
 }  // namespace
 
 std::string toString(Outcome outcome) {
@@ -50,8 +67,8 @@ std::shared_ptr<const Policy> loadPolicyFor(const std::string& planner_name,
   return std::make_shared<const Policy>(Policy::load(weights_path));
 }
 
-std::unique_ptr<Planner> makePlanner(const std::string& name,
-                                     std::shared_ptr<const Policy> policy) {
+std::unique_ptr<Planner> makePlanner(const std::string& name, std::shared_ptr<const Policy> policy,
+                                     const std::string& ablation) {
   if (name == "lacam") {
     return std::make_unique<LacamPlanner>(name, makeDistanceGuide);
   }
@@ -67,12 +84,17 @@ std::unique_ptr<Planner> makePlanner(const std::string& name,
     throw std::invalid_argument("planner '" + name + "' needs the weights of a policy");
   }
   const bool has_cost_network = policy->costNetwork() != nullptr;
-  GuideFactory make_guide = makePolicyGuideFactory(std::move(policy), use->second,
-                                                   defaultSettings(use->second, has_cost_network));
-  if (use->second == PolicyUse::Search) {
-    return std::make_unique<LacamPlanner>(name, std::move(make_guide));
+  PolicySettings settings = defaultSettings(use->second, has_cost_network);
+  std::string full_name = name;
+  if (!ablation.empty()) {
+    ablate(settings, ablation);
+    full_name += "/" + ablation;
   }
-  return std::make_unique<StepwisePlanner>(name, std::move(make_guide));
+  GuideFactory make_guide = makePolicyGuideFactory(std::move(policy), use->second, settings);
+  if (use->second == PolicyUse::Search) {
+    return std::make_unique<LacamPlanner>(full_name, std::move(make_guide));
+  }
+  return std::make_unique<StepwisePlanner>(full_name, std::move(make_guide));
 }
 
 }  // namespace sylph

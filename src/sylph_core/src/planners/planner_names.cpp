@@ -10,4 +10,11 @@ const std::vector<std::string>& plannerNames() {
   return kNames;
 }
 
+const std::vector<std::string>& ablationNames() {
+  static const std::vector<std::string> kNames = {"random_tie_breaking", "svo_by_priority",
+                                                  "random_svo_per_step", "random_svo_per_episode",
+                                                  "random_svo_per_partner"};
+  return kNames;
+}
+
 }  // namespace sylph

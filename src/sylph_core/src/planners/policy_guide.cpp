@@ -37,7 +37,7 @@ class PolicyGuide : public Guide {
   std::unique_ptr<ConfigurationGenerator> makeGenerator() override {
     if (use_ == PolicyUse::TieBreaking) {
       return std::make_unique<TieBreakingGenerator>(*problem_, *grid_, steps_, settings_.moves,
-                                                    *rng_);
+                                                    settings_.breaks_ties_by_svo, *rng_);
     }
     return std::make_unique<PolicyGenerator>(
         *problem_, steps_, settings_.moves,

@@ -13,11 +13,11 @@ namespace {
 class TieBreakingSteps : public JointSteps {
  public:
   TieBreakingSteps(const SearchProblem& problem, const Grid& grid, PolicyRanking ranking,
-                   const std::vector<float>& svo_deg, const Vertices& configuration)
+                   std::vector<float> yielding, const Vertices& configuration)
       : problem_(&problem),
         grid_(&grid),
         ranking_(std::move(ranking)),
-        svo_deg_(&svo_deg),
+        yielding_(std::move(yielding)),
         configuration_(&configuration),
         occupied_now_(static_cast<std::size_t>(problem.graph.size()), kNoAgent),
         order_(configuration.size()) {
@@ -37,7 +37,7 @@ class TieBreakingSteps : public JointSteps {
       const VertexId target = to[agent] != kNoVertex ? to[agent] : choose(agent);
       desired.push_back(*actionBetween(cells[agent], problem_->graph.cellAt(target)));
     }
-    const TieBreaking broken = breakTies(*grid_, problem_->motion, cells, desired, *svo_deg_);
+    const TieBreaking broken = breakTies(*grid_, problem_->motion, cells, desired, yielding_);
     bool is_bound_kept = true;
     for (const AgentId agent : order_) {
       const VertexId bound = to[agent];
@@ -58,7 +58,7 @@ class TieBreakingSteps : public JointSteps {
   const SearchProblem* problem_;
   const Grid* grid_;
   PolicyRanking ranking_;
-  const std::vector<float>* svo_deg_;
+  std::vector<float> yielding_;  // per agent: the higher, the sooner it yields
   const Vertices* configuration_;
   Occupants occupied_now_;
   std::vector<AgentId> order_;
@@ -68,16 +68,27 @@ class TieBreakingSteps : public JointSteps {
 
 TieBreakingGenerator::TieBreakingGenerator(const SearchProblem& problem, const Grid& grid,
                                            PolicySteps& steps, const MoveSettings& settings,
-                                           Rng& rng)
-    : problem_(&problem), grid_(&grid), steps_(&steps), settings_(settings), rng_(&rng) {}
+                                           bool by_svo, Rng& rng)
+    : problem_(&problem),
+      grid_(&grid),
+      steps_(&steps),
+      settings_(settings),
+      by_svo_(by_svo),
+      rng_(&rng) {}
 
 std::unique_ptr<JointSteps> TieBreakingGenerator::enter(const Vertices& configuration,
                                                         const Vertices* before,
                                                         const Priorities& priorities) {
   const PolicyStep& step = steps_->enter(configuration, before, StepUse::Social).step;
+  std::vector<float> yielding = step.social.svo_deg;
+  if (!by_svo_) {
+    for (float& order : yielding) {
+      order = static_cast<float>(drawFraction(*rng_));
+    }
+  }
   return std::make_unique<TieBreakingSteps>(
       *problem_, *grid_, PolicyRanking(*problem_, settings_, step.actions, priorities, *rng_),
-      step.social.svo_deg, configuration);
+      std::move(yielding), configuration);
 }
 
 }  // namespace sylph

@@ -1,6 +1,8 @@
 #include <gtest/gtest.h>
 
 #include <memory>
+#include <set>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -16,6 +18,7 @@
 #include "sylph_core/search/policy_generator.hpp"
 #include "sylph_core/search/policy_steps.hpp"
 #include "sylph_core/social/partners.hpp"
+#include "sylph_core/text/join.hpp"
 #include "test/support/random_weights.hpp"
 
 namespace sylph {
@@ -111,6 +114,37 @@ TEST_P(PolicyPlannersTest, CountTheNetworksCalls) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, PolicyPlannersTest, ::testing::ValuesIn(kPolicyPlanners));
+
+TEST(AblationTest, EachGivesLegalPlansUnlikeThoseWithoutIt) {
+  Rng rng(4);
+  const Instance instance = randomInstance(oneMapOfEachFamily(rng).front(), 40, {}, rng);
+  const PlanningLimits limits{30.0, 20, true};
+  const auto planBy = [&](const std::string& ablation) {
+    Rng own(9);
+    return makePlanner("sylph", randomPolicy(), ablation)->plan(instance, limits, own);
+  };
+  std::set<Plan> plans = {planBy("").plan};
+  for (const std::string& ablation : ablationNames()) {
+    SCOPED_TRACE(ablation);
+    const PlanningResult result = planBy(ablation);
+    const auto violation = checkPlan(instance, result.plan);
+    EXPECT_TRUE(!violation || violation->kind == ViolationKind::GoalNotReached);
+    EXPECT_TRUE(plans.insert(result.plan).second) << "a plan like one of another ablation";
+  }
+}
+
+TEST(AblationTest, StandsInThePlannersName) {
+  EXPECT_EQ("sylph_pibt/svo_by_priority",
+            makePlanner("sylph_pibt", randomPolicy(), "svo_by_priority")->name());
+  EXPECT_EQ("pibt", makePlanner("pibt", nullptr, "svo_by_priority")->name()) << "it has no SVO";
+  try {
+    makePlanner("sylph", randomPolicy(), "no_svo");
+    FAIL();
+  } catch (const std::invalid_argument& error) {
+    EXPECT_EQ("ablation 'no_svo' is unknown: must be one of " + join(ablationNames()),
+              std::string(error.what()));
+  }
+}
 
 // Two ways of the same length lead to the goal.
 TEST(CostNetworkTest, IsAskedByPlannersThatSearchAndNotBySylph) {

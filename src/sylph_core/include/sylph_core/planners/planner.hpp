@@ -67,7 +67,7 @@ class Planner {
   /// Plans an instance that requireValid() accepts.
   virtual PlanningResult plan(const Instance& instance, const PlanningLimits& limits,
                               Rng& rng) const = 0;
-  /// By which makePlanner() knows it.
+  /// By which makePlanner() knows it, with its ablation if there is one.
   virtual std::string name() const = 0;
 };
 
@@ -83,9 +83,17 @@ bool needsPolicy(const std::string& planner_name);
 std::shared_ptr<const Policy> loadPolicyFor(const std::string& planner_name,
                                             const std::string& weights_path);
 
-/// @param policy  for planners that need one, ignored by the others
+/// What a policy-guided planner may do otherwise than its policy says, to measure what that is
+/// worth: random_tie_breaking (who of two in conflict yields is drawn at each step, `sylph` alone),
+/// svo_by_priority, random_svo_per_step, random_svo_per_episode, random_svo_per_partner (see
+/// SvoChoice).
+const std::vector<std::string>& ablationNames();
+
+/// @param policy    for planners that need one, ignored by the others
+/// @param ablation  one of ablationNames() or empty; the planner's name then is `name/ablation`
 /// @throws std::invalid_argument naming the allowed names, or that there is no policy
 std::unique_ptr<Planner> makePlanner(const std::string& name,
-                                     std::shared_ptr<const Policy> policy = nullptr);
+                                     std::shared_ptr<const Policy> policy = nullptr,
+                                     const std::string& ablation = "");
 
 }  // namespace sylph

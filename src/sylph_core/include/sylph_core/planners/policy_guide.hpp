@@ -20,6 +20,7 @@ enum class PolicyUse {
 struct PolicySettings {
   MoveSettings moves;                      ///< how agents rank their moves
   SvoChoice svo_choice = SvoChoice::Mean;  ///< by which SVO they act
+  bool breaks_ties_by_svo = true;          ///< or as if SVOs were drawn anew for each joint step
 };
 
 /// The settings that serve each use best.

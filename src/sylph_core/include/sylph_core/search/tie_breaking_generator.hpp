@@ -17,8 +17,9 @@ namespace sylph {
 class TieBreakingGenerator : public ConfigurationGenerator {
  public:
   /// @param problem, grid, steps, rng  must outlive this object
+  /// @param by_svo  whether the more prosocial yields; otherwise who yields is drawn
   TieBreakingGenerator(const SearchProblem& problem, const Grid& grid, PolicySteps& steps,
-                       const MoveSettings& settings, Rng& rng);
+                       const MoveSettings& settings, bool by_svo, Rng& rng);
 
   std::unique_ptr<JointSteps> enter(const Vertices& configuration, const Vertices* before,
                                     const Priorities& priorities) override;
@@ -28,6 +29,7 @@ class TieBreakingGenerator : public ConfigurationGenerator {
   const Grid* grid_;
   PolicySteps* steps_;
   MoveSettings settings_;
+  bool by_svo_;
   Rng* rng_;
 };
 
