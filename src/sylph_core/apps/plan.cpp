@@ -14,6 +14,7 @@
 #include "sylph_core/command/run_command.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_core/planners/planner.hpp"
+#include "sylph_core/social/social_state_file.hpp"
 #include "weights_option.hpp"
 
 namespace {
@@ -25,6 +26,7 @@ struct Options {
   std::uint32_t seed = 0;
   std::string weights_path;
   std::string plan_path;
+  std::string social_path;
   bool is_json = false;
 };
 
@@ -81,7 +83,7 @@ int plan(const Options& options) {
       options.planner, sylph::loadPolicy({options.planner}, options.weights_path));
   const sylph::Instance instance = options.instance.load();
   sylph::PlanningLimits limits = options.limits;
-  limits.social_states = false;  // nothing here shows them
+  limits.social_states = !options.social_path.empty();
   limits.time_limit_s = deadline.remaining();
   sylph::Rng rng(options.seed);
   const sylph::PlanningResult result = planner->plan(instance, limits, rng);
@@ -92,6 +94,9 @@ int plan(const Options& options) {
   }
   if (!options.plan_path.empty() && evaluation.is_solved) {
     sylph::savePlan(result.plan, options.plan_path);
+  }
+  if (!options.social_path.empty()) {
+    sylph::saveSocialStates(result.plan, result.social, options.social_path);
   }
   if (options.is_json) {
     printJson(options, evaluation, result.statistics);
@@ -125,6 +130,8 @@ int main(int argc, char** argv) {
       ->capture_default_str();
   app.add_flag("--first", options.limits.first_solution_only, "stop at the first solution");
   app.add_option("--plan", options.plan_path, "file to write the plan to, if solved");
+  app.add_option("--social", options.social_path,
+                 "CSV file for cell, partner and SVO of each agent at each step, solved or not");
   app.add_flag("--json", options.is_json, "print one line of JSON");
   return sylph::runCommand(app, argc, argv, [&] { return plan(options); });
 }

@@ -91,6 +91,30 @@ TEST_F(CommandsTest, PlanPrintsOneLineOfJsonAndWritesAPlanThatCheckAccepts) {
   EXPECT_EQ(0U, checked.output.rfind("valid: 2 agents, ", 0)) << checked.output;
 }
 
+TEST_F(CommandsTest, PlanWritesPartnersAndSvosOfEachStep) {
+  const std::string social = folder_.path("social.csv");
+  const std::string weights = folder_.path("w.safetensors");
+  saveTensorFile(RandomWeights(smallShape(), 1).file(), weights);
+  const CommandResult planned = run("plan" + instance() + " --planner sylph_lacam --weights " +
+                                    weights + " --first --json --social " + social);
+  ASSERT_EQ(0, planned.status) << planned.output;
+  const int steps = nlohmann::json::parse(planned.output)["steps"].get<int>();
+  std::ifstream file(social);
+  std::string line;
+  std::getline(file, line);
+  EXPECT_EQ("step,agent,row,col,partner,svo_deg", line);
+  std::getline(file, line);
+  EXPECT_EQ(0U, line.rfind("0,0,0,0,1,", 0))
+      << line << ": agent 0 starts at (0,0), 1 is in its way";
+  int lines = 1;
+  while (std::getline(file, line)) {
+    ++lines;
+    const double svo_deg = std::stod(line.substr(line.rfind(',') + 1));
+    EXPECT_TRUE(0.0 <= svo_deg && svo_deg <= 45.0) << line;
+  }
+  EXPECT_EQ(2 * steps, lines);
+}
+
 TEST_F(CommandsTest, APlanThatIsTooLongCountsUpToTheStepLimit) {
   const CommandResult planned = run("plan" + instance() + " --first --max-steps 1");
   EXPECT_EQ(1, planned.status);
