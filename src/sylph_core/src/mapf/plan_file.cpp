@@ -6,66 +6,22 @@
 #include <vector>
 
 #include "files/text_file.hpp"
+#include "mapf/plan_scanner.hpp"
 
 namespace sylph {
 namespace {
 
-constexpr std::size_t kMaxPlanBytes = std::size_t{1} << 30;
-
-/// Takes numbers and marks from the front of a line.
-class Scanner {
- public:
-  explicit Scanner(const std::string& line) : next_(line.data()), end_(next_ + line.size()) {}
-
-  bool isAtEnd() {
-    while (next_ != end_ && (*next_ == ' ' || *next_ == '\t')) {
-      ++next_;
-    }
-    return next_ == end_;
-  }
-
-  /// @throws std::invalid_argument if something else stands there
-  int number() {
-    int value = 0;
-    const auto [rest, error] = std::from_chars(next_, end_, value);
-    if (error != std::errc()) {
-      throw std::invalid_argument("a whole number");
-    }
-    next_ = rest;
-    return value;
-  }
-
-  /// @throws std::invalid_argument if something else stands there
-  void mark(char c) {
-    if (next_ == end_ || *next_ != c) {
-      throw std::invalid_argument(std::string("'") + c + "'");
-    }
-    ++next_;
-  }
-
-  std::string rest() const { return {next_, end_}; }
-
- private:
-  const char* next_;
-  const char* end_;
-};
-
-Configuration readConfiguration(const std::string& path, std::size_t line, Scanner& scanner) {
+Configuration readConfiguration(const std::string& path, std::size_t line, PlanScanner& scanner) {
   try {
     // A line that is missing would shift all after it, unseen.
     if (const int step = scanner.number(); step != static_cast<int>(line) - 1) {
       throw fileError(path, line,
                       "step " + std::to_string(step) + ": must be " + std::to_string(line - 1));
     }
-    scanner.mark(':');
+    scanner.mark(":");
     Configuration cells;
     while (!scanner.isAtEnd()) {
-      scanner.mark('(');
-      const int row = scanner.number();
-      scanner.mark(',');
-      const int col = scanner.number();
-      scanner.mark(')');
-      cells.push_back({row, col});
+      cells.push_back(scanner.cell());
     }
     return cells;
   } catch (const std::invalid_argument& expected) {
@@ -91,7 +47,7 @@ Plan loadPlan(const std::string& path) {
   }
   Plan plan;
   for (const std::string& line : lines) {
-    Scanner scanner(line);
+    PlanScanner scanner(line);
     plan.push_back(readConfiguration(path, plan.size() + 1, scanner));
     if (plan.back().empty() || plan.back().size() != plan.front().size()) {
       throw fileError(path, plan.size(),
