@@ -75,12 +75,58 @@ std::optional<Plan> loadLacamPlan(const std::string& path) {
   return plan;
 }
 
+/// The cells of one agent, from timestep 0 on.
+std::vector<Cell> readPath(PlanScanner& scanner, std::size_t agent) {
+  scanner.mark("Agent " + std::to_string(agent) + ":");
+  std::vector<Cell> path;
+  while (!scanner.isAtEnd()) {
+    path.push_back(scanner.cell());
+    if (!scanner.isAtEnd()) {
+      scanner.mark("->");
+    }
+  }
+  return path;
+}
+
+Plan loadPaths(const std::string& path) {
+  const std::vector<std::string> lines = splitLines(readTextFile(path, kMaxPlanBytes));
+  if (lines.empty()) {
+    throw fileError(path, 0, "is empty, must start with 'Agent 0:(row,col)->'");
+  }
+  std::vector<std::vector<Cell>> paths;
+  std::size_t longest = 0;
+  for (const std::string& line : lines) {
+    const std::size_t agent = paths.size();
+    paths.push_back(readLine(path, agent + 1, line, "Agent N:(row,col)->(row,col)->",
+                             [&](PlanScanner& scanner) { return readPath(scanner, agent); }));
+    if (paths.back().empty()) {
+      throw fileError(path, paths.size(), "agent " + std::to_string(agent) + " has no cell");
+    }
+    longest = std::max(longest, paths.back().size());
+  }
+  // Each agent's path is as long as the longest one: a small file may stand for a plan without end.
+  if (longest > kMaxPlanBytes / sizeof(Cell) / paths.size()) {
+    throw fileError(path, 0,
+                    std::to_string(longest - 1) + " steps of " + std::to_string(paths.size()) +
+                        " agents: is too large");
+  }
+  Plan plan(longest);
+  for (std::size_t step = 0; step < longest; ++step) {
+    for (const std::vector<Cell>& cells : paths) {
+      plan[step].push_back(cells[std::min(step, cells.size() - 1)]);
+    }
+  }
+  return plan;
+}
+
 }  // namespace
 
 std::optional<Plan> loadSolverPlan(const std::string& path, PlanFormat format) {
   switch (format) {
     case PlanFormat::Lacam:
       return loadLacamPlan(path);
+    case PlanFormat::Paths:
+      return loadPaths(path);
     case PlanFormat::Sylph:
       break;
   }

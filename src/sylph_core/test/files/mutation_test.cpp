@@ -11,6 +11,7 @@
 #include "sylph_core/grid/rng.hpp"
 #include "sylph_core/mapf/plan_file.hpp"
 #include "sylph_core/mapf/scenario_file.hpp"
+#include "sylph_core/mapf/solver_plan_file.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph {
@@ -20,6 +21,8 @@ const char kMap[] = "type octile\nheight 3\nwidth 4\nmap\n..@.\n.@..\n....\n";
 const char kScenario[] =
     "version 1\n0\ta.map\t4\t3\t0\t0\t3\t2\t5\n0\ta.map\t4\t3\t3\t2\t0\t0\t5\n";
 const char kPlan[] = "0: (0,0) (2,3)\n1: (1,0) (2,2)\n2: (1,0) (2,1)\n";
+const char kLacamPlan[] = "agents=2\nsolved=1\nsolution=\n0:(0,0),(2,1),\n1:(1,0),(2,1),\n";
+const char kPaths[] = "Agent 0: (0,0)->(0,1)->\nAgent 1: (1,2)->(1,1)->(1,0)->\n";
 const char kMapServer[] =
     "image: m.pgm\nresolution: 0.3\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\n"
     "free_thresh: 0.196\n";
@@ -80,6 +83,8 @@ TEST(MutationProperty, EveryReaderAnswersInOneLine) {
   const std::string map = folder.write("a.map", kMap);
   const std::string scenario = folder.write("a.scen", kScenario);
   const std::string plan = folder.write("plan.txt", kPlan);
+  const std::string lacam = folder.write("lacam.txt", kLacamPlan);
+  const std::string paths = folder.write("paths.txt", kPaths);
   const std::string map_server = folder.write("m.yaml", kMapServer);
   const std::string experiment = folder.write("lab.yaml", kExperiment);
   const std::string suite = folder.write("suite.yaml", kSuite);
@@ -87,6 +92,8 @@ TEST(MutationProperty, EveryReaderAnswersInOneLine) {
   expectAnswers(folder, "a.map", kMap, [&] { loadMap(map); });
   expectAnswers(folder, "a.scen", kScenario, [&] { loadScenario(scenario, loadMap(map), 2); });
   expectAnswers(folder, "plan.txt", kPlan, [&] { loadPlan(plan); });
+  expectAnswers(folder, "lacam.txt", kLacamPlan, [&] { loadSolverPlan(lacam, PlanFormat::Lacam); });
+  expectAnswers(folder, "paths.txt", kPaths, [&] { loadSolverPlan(paths, PlanFormat::Paths); });
   expectAnswers(folder, "m.yaml", kMapServer, [&] { loadMap(map_server); });
   expectAnswers(folder, "m.pgm", pgm, [&] { loadMap(map_server); });
   expectAnswers(folder, "lab.yaml", kExperiment, [&] { loadExperiment(experiment); });

@@ -65,5 +65,37 @@ TEST_F(SolverPlanFileTest, NamesTheLineThatIsWrongInLacamsFormat) {
   expect(":3: 1 agents: must be 2, as in step 0", "solution=\n0:(0,0),(1,1),\n1:(0,0),\n");
 }
 
+TEST_F(SolverPlanFileTest, PathsOfAgentsRestAtTheirEnd) {
+  const Plan plan = {{{0, 0}, {1, 2}}, {{0, 1}, {1, 1}}, {{0, 2}, {1, 1}}};
+  const std::string eecbs = "Agent 0: (0,0)->(0,1)->(0,2)->\nAgent 1: (1,2)->(1,1)->\n";
+  const std::string lns = "Agent 0:(0,0)->(0,1)->(0,2)->\nAgent 1:(1,2)->(1,1)\n";
+  EXPECT_EQ(plan, load(eecbs, PlanFormat::Paths).value());
+  EXPECT_EQ(plan, load(lns, PlanFormat::Paths).value());
+}
+
+TEST_F(SolverPlanFileTest, NamesTheLineThatIsWrongInAFileOfPaths) {
+  const auto expect = [&](const std::string& error, const std::string& content) {
+    expectRefused(error, content, PlanFormat::Paths);
+  };
+  const std::string form = " here, a line is 'Agent N:(row,col)->(row,col)->'";
+  expect(": is empty, must start with 'Agent 0:(row,col)->'", "");
+  expect(":1: 'Agent 1:(0,0)->': must be 'Agent 0:'" + form, "Agent 1:(0,0)->\n");
+  expect(":2: 'Agent 0:(1,0)->': must be 'Agent 1:'" + form, "Agent 0:(0,0)->\nAgent 0:(1,0)->\n");
+  expect(":2: agent 1 has no cell", "Agent 0:(0,0)->\nAgent 1:\n");
+  expect(":1: ',(0,1)': must be '->'" + form, "Agent 0:(0,0),(0,1)\n");
+  expect(":1: '': must be ','" + form, "Agent 0:(0,0)->(0");
+}
+
+TEST_F(SolverPlanFileTest, AFewPathsThatMakeAPlanWithoutEndAreRefused) {
+  std::string paths = "Agent 0:";
+  for (int step = 0; step < 20000; ++step) {
+    paths += "(0,0)->";
+  }
+  for (int agent = 1; agent < 20000; ++agent) {
+    paths += "\nAgent " + std::to_string(agent) + ":(0,0)";
+  }
+  expectRefused(": 19999 steps of 20000 agents: is too large", paths, PlanFormat::Paths);
+}
+
 }  // namespace
 }  // namespace sylph

@@ -14,6 +14,10 @@ enum class PlanFormat {
   /// a line: "step:(x,y),(x,y),", where x is the column and y the row. Other keys than "solved" and
   /// "solution" are passed over. github.com/Kei18/lacam3
   Lacam,
+  /// MAPF-LNS2, EECBS with --outputPaths: a line for each agent, in order,
+  /// "Agent 0:(row,col)->(row,col)->"; each rests at the end of its path.
+  /// github.com/Jiaoyang-Li/MAPF-LNS2
+  Paths,
 };
 
 /// Reads the plan that a solver has written. Whether it solves anything is for checkPlan() to say.
