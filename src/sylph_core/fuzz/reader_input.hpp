@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "test/support/scratch_folder.hpp"
+#include "sylph_core/files/scratch_folder.hpp"
 
 /// What the fuzzers of readers share: the answer that each file is due.
 namespace sylph::fuzz {

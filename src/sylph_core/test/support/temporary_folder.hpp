@@ -7,7 +7,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "test/support/scratch_folder.hpp"
+#include "sylph_core/files/scratch_folder.hpp"
 
 namespace sylph {
 

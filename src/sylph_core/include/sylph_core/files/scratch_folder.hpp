@@ -9,10 +9,11 @@
 
 namespace sylph {
 
-/// A folder for files, removed with it.
+/// A folder for temporary files, removed with it.
 class ScratchFolder {
  public:
   /// @param name  its own begins with this
+  /// @throws std::runtime_error if there can be none
   explicit ScratchFolder(const std::string& name)
       : path_((std::filesystem::temp_directory_path() / (name + "_XXXXXX")).string()) {
     if (mkdtemp(path_.data()) == nullptr) {
@@ -26,6 +27,7 @@ class ScratchFolder {
     std::filesystem::remove_all(path_, ignored);
   }
 
+  /// Of a file in it.
   std::string path(const std::string& name) const { return path_ + "/" + name; }
 
   /// Writes a file and returns its path.
