@@ -10,7 +10,10 @@ Evaluation evaluate(const Instance& instance, const PlanningResult& result) {
     evaluation.is_solved = !evaluation.violation.has_value();
   }
   const Plan nothing_done = {instance.starts};
-  evaluation.metrics = computeMetrics(instance, result.plan.empty() ? nothing_done : result.plan);
+  const bool can_be_measured =
+      !result.plan.empty() &&
+      !(evaluation.violation && evaluation.violation->kind == ViolationKind::WrongAgentCount);
+  evaluation.metrics = computeMetrics(instance, can_be_measured ? result.plan : nothing_done);
   evaluation.sum_of_costs_lower_bound = result.statistics.sum_of_costs_lower_bound;
   return evaluation;
 }

@@ -16,7 +16,8 @@ struct Evaluation {
   std::optional<PlanViolation> violation;  ///< in a plan that the planner takes for a solution
 };
 
-/// Judges an answer. A plan that the planner takes for no solution is only measured.
+/// Judges an answer. A plan that the planner takes for no solution is only measured; one of another
+/// number of agents, as if nobody had moved.
 Evaluation evaluate(const Instance& instance, const PlanningResult& result);
 
 }  // namespace sylph
