@@ -34,38 +34,44 @@ void writeText(const std::string& text, const std::string& path, std::ios::openm
   }
 }
 
+/// Tells on standard error what went wrong.
 /// @return status 1 if a planner called a plan a solution that is none
+int report(const std::vector<sylph::BenchmarkRun>& runs) {
+  int status = EXIT_SUCCESS;
+  for (const sylph::BenchmarkRun& run : runs) {
+    if (!run.message.empty()) {
+      std::cerr << "sylph_benchmark: " << run.planner << " on " << run.family << ", instance "
+                << run.instance_number << ", " << run.agents << " agents: " << run.message << "\n";
+      status = EXIT_FAILURE;
+    }
+  }
+  return status;
+}
+
+/// @return status as of report()
 int benchmark(const Options& options) {
-  const sylph::BenchmarkSuite suite = sylph::loadSuite(options.suite_path);
+  sylph::BenchmarkSuite suite = sylph::loadSuite(options.suite_path);
+  if (!options.planners.empty()) {
+    suite.planners = options.planners;
+  }
+  suite.limits.social_states = false;  // nothing here shows them
   const std::vector<sylph::BenchmarkCase> cases = sylph::makeCases(suite);
-  const auto& planners = options.planners.empty() ? suite.planners : options.planners;
-  const auto policy = sylph::loadPolicy(planners, options.weights_path);
+  const auto policy = sylph::loadPolicy(suite.planners, options.weights_path);
   const auto writeCsv = [&](const std::string& text, std::ios::openmode mode) {
     if (!options.csv_path.empty()) {
       writeText(text, options.csv_path, mode);
     }
   };
   writeCsv(sylph::toCsv({}), std::ios::trunc);  // a bad path shows before hours of work, not after
-  sylph::ProgressBar bar(planners.size() * cases.size());
-  sylph::PlanningLimits limits = suite.limits;
-  limits.social_states = false;  // nothing here shows them
-  const auto runs = sylph::runBenchmark(planners, policy, cases, limits, options.jobs,
+  sylph::ProgressBar bar(suite.planners.size() * cases.size());
+  const auto runs = sylph::runBenchmark(suite, cases, policy, options.jobs,
                                         [&](const sylph::BenchmarkRun& run, std::size_t done) {
                                           writeCsv(sylph::toCsvLine(run), std::ios::app);
                                           bar.show(done);
                                         });
   std::cout << sylph::toTable(runs);
   writeCsv(sylph::toCsv(runs), std::ios::trunc);  // in order, whatever the order of the ends
-  int status = EXIT_SUCCESS;
-  for (const sylph::BenchmarkRun& run : runs) {
-    if (run.evaluation.violation) {
-      std::cerr << "sylph_benchmark: " << run.planner << " on " << run.family << ", instance "
-                << run.instance_number << ", " << run.agents
-                << " agents: " << run.evaluation.violation->message << "\n";
-      status = EXIT_FAILURE;
-    }
-  }
-  return status;
+  return report(runs);
 }
 
 }  // namespace
@@ -81,7 +87,7 @@ int main(int argc, char** argv) {
       ->check(CLI::IsMember(sylph::plannerNames()))
       ->take_all();
   sylph::addWeightsOption(app, options.weights_path);
-  app.add_option("--jobs", options.jobs, "cases at a time; more than free cores blur the times")
+  app.add_option("--jobs", options.jobs, "runs at a time; more than free cores blur the times")
       ->check(CLI::Range(1, std::numeric_limits<int>::max()))
       ->capture_default_str();
   app.add_option("--out", options.csv_path, "CSV file to write, one line a run, as they end");

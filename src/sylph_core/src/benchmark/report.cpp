@@ -10,10 +10,6 @@
 namespace sylph {
 namespace {
 
-std::string outcomeOf(const BenchmarkRun& run) {
-  return run.evaluation.violation ? "invalid" : toString(run.outcome);
-}
-
 /// The value below which a share of the sorted values lies, nearest rank.
 double percentile(const std::vector<double>& sorted, double share) {
   const auto rank = static_cast<std::size_t>(std::ceil(share * static_cast<double>(sorted.size())));
@@ -75,7 +71,7 @@ std::string toCsvLine(const BenchmarkRun& run) {
   const PlanMetrics& metrics = run.evaluation.metrics;
   std::ostringstream out;
   out << run.planner << ',' << run.family << ',' << run.agents << ',' << run.instance_number << ','
-      << outcomeOf(run) << ',' << metrics.steps << ',' << metrics.makespan << ','
+      << toString(run.outcome) << ',' << metrics.steps << ',' << metrics.makespan << ','
       << metrics.sum_of_costs << ',';
   if (run.evaluation.sum_of_costs_lower_bound) {
     out << *run.evaluation.sum_of_costs_lower_bound;

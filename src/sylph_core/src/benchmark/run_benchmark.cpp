@@ -7,38 +7,54 @@
 namespace sylph {
 namespace {
 
-BenchmarkRun runCase(const Planner& planner, const BenchmarkCase& benchmark_case,
-                     const PlanningLimits& limits) {
+using RunCase = std::function<BenchmarkRun(const BenchmarkCase&)>;
+
+BenchmarkRun toRun(const std::string& planner, const BenchmarkCase& benchmark_case,
+                   const PlanningResult& result) {
+  BenchmarkRun run;
+  run.planner = planner;
+  run.family = benchmark_case.family;
+  run.agents = benchmark_case.instance.agentCount();
+  run.instance_number = benchmark_case.instance_number;
+  run.outcome = toRunOutcome(result.outcome);
+  run.evaluation = evaluate(benchmark_case.instance, result);
+  if (run.evaluation.violation) {
+    run.outcome = RunOutcome::Invalid;
+    run.message = run.evaluation.violation->message;
+  }
+  run.statistics = result.statistics;
+  return run;
+}
+
+BenchmarkRun runPlanner(const Planner& planner, const BenchmarkCase& benchmark_case,
+                        const PlanningLimits& limits) {
   Rng rng(benchmark_case.seed);
-  const PlanningResult result = planner.plan(benchmark_case.instance, limits, rng);
-  return {planner.name(),
-          benchmark_case.family,
-          benchmark_case.instance.agentCount(),
-          benchmark_case.instance_number,
-          result.outcome,
-          evaluate(benchmark_case.instance, result),
-          result.statistics};
+  return toRun(planner.name(), benchmark_case, planner.plan(benchmark_case.instance, limits, rng));
 }
 
 }  // namespace
 
-std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
-                                       const std::shared_ptr<const Policy>& policy,
+std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
                                        const std::vector<BenchmarkCase>& cases,
-                                       const PlanningLimits& limits, int jobs,
+                                       const std::shared_ptr<const Policy>& policy, int jobs,
                                        const BenchmarkProgress& progress) {
-  std::vector<std::unique_ptr<Planner>> made;
-  made.reserve(planners.size());
-  for (const std::string& name : planners) {
-    made.push_back(makePlanner(name, policy));
+  std::vector<RunCase> entrants;
+  for (const std::string& name : suite.planners) {
+    const std::shared_ptr<const Planner> planner = makePlanner(name, policy);
+    entrants.emplace_back([planner, &suite](const BenchmarkCase& benchmark_case) {
+      return runPlanner(*planner, benchmark_case, suite.limits);
+    });
   }
-  std::vector<BenchmarkRun> runs(made.size() * cases.size());
+  std::vector<BenchmarkRun> runs(entrants.size() * cases.size());
+  const auto placeOf = [&](std::size_t index) {
+    return index % entrants.size() * cases.size() + index / entrants.size();
+  };
   parallelFor(
       runs.size(), jobs,
       [&](std::size_t index) {
-        runs[index] = runCase(*made[index / cases.size()], cases[index % cases.size()], limits);
+        runs[placeOf(index)] = entrants[index % entrants.size()](cases[index / entrants.size()]);
       },
-      [&](std::size_t index, std::size_t done) { progress(runs[index], done); });
+      [&](std::size_t index, std::size_t done) { progress(runs[placeOf(index)], done); });
   return runs;
 }
 

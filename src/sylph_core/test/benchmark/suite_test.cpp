@@ -6,6 +6,7 @@
 #include <string>
 
 #include "sylph_core/benchmark/run_benchmark.hpp"
+#include "sylph_core/text/join.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph {
@@ -118,7 +119,7 @@ TEST_F(SuiteTest, RunsGiveTheSamePlansHoweverManyAtATime) {
   std::size_t told = 0;
   const auto runWith = [&](int jobs) {
     told = 0;
-    return runBenchmark(suite.planners, nullptr, cases, suite.limits, jobs,
+    return runBenchmark(suite, cases, nullptr, jobs,
                         [&](const BenchmarkRun& run, std::size_t done) {
                           EXPECT_GT(run.agents, 0);
                           EXPECT_EQ(told + 1, done);
@@ -138,13 +139,28 @@ TEST_F(SuiteTest, RunsGiveTheSamePlansHoweverManyAtATime) {
   }
 }
 
+TEST_F(SuiteTest, PlannersTakeTurnsAndRunsComeInOrder) {
+  BenchmarkSuite suite = loadSuite(write(kSuite));
+  suite.limits.first_solution_only = true;
+  const std::vector<BenchmarkCase> cases = makeCases(suite);
+  const auto nameOf = [](const BenchmarkRun& run) {
+    return run.planner + std::to_string(run.agents);
+  };
+  std::vector<std::string> ended;
+  const auto runs =
+      runBenchmark(suite, {cases[8], cases[9]}, nullptr, 1,
+                   [&](const BenchmarkRun& run, std::size_t) { ended.push_back(nameOf(run)); });
+  EXPECT_EQ("pibt1, lacam1, pibt2, lacam2", join(ended));
+  EXPECT_EQ("pibt1, pibt2, lacam1, lacam2", join(runs, ", ", nameOf));
+}
+
 BenchmarkRun exampleRun(int instance_number, bool is_solved, long sum_of_costs, double first_s) {
   BenchmarkRun run;
   run.planner = "lacam";
   run.family = "rooms";
   run.agents = 7;
   run.instance_number = instance_number;
-  run.outcome = is_solved ? Outcome::Solved : Outcome::TimeLimit;
+  run.outcome = is_solved ? RunOutcome::Solved : RunOutcome::TimeLimit;
   run.evaluation.is_solved = is_solved;
   run.evaluation.metrics.sum_of_costs = sum_of_costs;
   run.evaluation.metrics.makespan = 12;
@@ -167,10 +183,10 @@ TEST(BenchmarkReportTest, TheCsvHasOneLineARun) {
       "planner,family,agents,instance,outcome,steps,makespan,sum_of_costs,"
       "sum_of_costs_lower_bound,arrived,seconds_to_first,seconds,policy_calls\n"
       "lacam,rooms,7,0," +
-          toString(Outcome::Solved) +
+          toString(RunOutcome::Solved) +
           ",0,12,110,100,0,0.5,0,0\n"
           "lacam,rooms,7,1," +
-          toString(Outcome::TimeLimit) + ",0,12,999,100,0,,0,0\n",
+          toString(RunOutcome::TimeLimit) + ",0,12,999,100,0,,0,0\n",
       toCsv({exampleRun(0, true, 110, 0.5), exampleRun(1, false, 999, 0.0)}));
 }
 

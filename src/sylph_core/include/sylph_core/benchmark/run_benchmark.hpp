@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "sylph_core/benchmark/evaluation.hpp"
+#include "sylph_core/benchmark/run_outcome.hpp"
 #include "sylph_core/benchmark/suite.hpp"
 #include "sylph_core/policy/policy.hpp"
 
@@ -13,29 +14,31 @@ namespace sylph {
 
 /// One planner on one case.
 struct BenchmarkRun {
-  std::string planner;                   ///< name
-  std::string family;                    ///< name
-  int agents = 0;                        ///< of the instance
-  int instance_number = 0;               ///< within the family, from 0
-  Outcome outcome = Outcome::TimeLimit;  ///< as the planner says
-  Evaluation evaluation;                 ///< as it was found to be
-  PlanningStatistics statistics;         ///< what it took
+  std::string planner;                         ///< its name
+  std::string family;                          ///< name
+  int agents = 0;                              ///< of the instance
+  int instance_number = 0;                     ///< within the family, from 0
+  RunOutcome outcome = RunOutcome::TimeLimit;  ///< Solved, Invalid: by checkPlan()
+  Evaluation evaluation;                       ///< as it was found to be
+  PlanningStatistics statistics;               ///< what it took
+  std::string message;       ///< one line on what went wrong, else empty
 };
 
 /// Told of a run that is over, and of how many are.
 using BenchmarkProgress = std::function<void(const BenchmarkRun&, std::size_t)>;
 
-/// Runs every planner on every case.
+/// Runs every planner of a suite on every case, by turns: all of them on one case before the next
+/// one, so that a computer that grows slower does so for all of them.
+/// @param cases     as makeCases() gives them
 /// @param policy    for the planners that need one, nullptr if none does
-/// @param jobs      cases at a time, > 0; more of them than free cores blur the times
+/// @param jobs      runs at a time, > 0; more of them than free cores blur the times
 /// @param progress  told after each run what came of it and how many are done, never by two threads
 ///                  at once
-/// @return          the runs, planners in order, cases in order
+/// @return          the runs, planners in order, of each its cases in order
 /// @throws std::invalid_argument as makePlanner()
-std::vector<BenchmarkRun> runBenchmark(const std::vector<std::string>& planners,
-                                       const std::shared_ptr<const Policy>& policy,
+std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
                                        const std::vector<BenchmarkCase>& cases,
-                                       const PlanningLimits& limits, int jobs,
+                                       const std::shared_ptr<const Policy>& policy, int jobs,
                                        const BenchmarkProgress& progress);
 
 /// One line, with its end.
