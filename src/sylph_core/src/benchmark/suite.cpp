@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <map>
 #include <set>
 #include <stdexcept>
 #include <utility>
@@ -77,6 +78,31 @@ BenchmarkFamily readFamily(const YamlMap& yaml) {
   return family;
 }
 
+/// @param names  of those that are there already
+ExternalSolver readSolver(const YamlMap& yaml, const std::set<std::string>& names) {
+  static const std::map<std::string, PlanFormat> kFormats = {
+      {"sylph", PlanFormat::Sylph}, {"lacam", PlanFormat::Lacam}, {"paths", PlanFormat::Paths}};
+  ExternalSolver solver;
+  solver.name = yaml.text("name");
+  if (names.count(solver.name) > 0) {
+    throw yaml.error("name", inQuotes(solver.name) + " is another planner's or solver's too");
+  }
+  if (solver.name.find_first_of(",\"\r\n") != std::string::npos) {
+    throw yaml.error("name", inQuotes(solver.name) + " must have no comma, quote or line end");
+  }
+  try {
+    solver.command = splitCommand(yaml.text("command"));
+  } catch (const std::invalid_argument& error) {
+    throw yaml.error("command", error.what());
+  }
+  solver.source = yaml.error("command", "").what();
+  solver.plan_format = kFormats.at(yaml.word("plan_format", {"sylph", "lacam", "paths"}, "sylph"));
+  solver.grace_s = yaml.number("grace_s", solver.grace_s, Range::positive());
+  solver.folder = resolvePath(yaml.path(), "");
+  yaml.refuseUnread();
+  return solver;
+}
+
 std::vector<Instance> makeInstances(const GeneratedInstances& generated, int agents,
                                     const MotionModel& motion) {
   struct Generator {
@@ -125,6 +151,13 @@ BenchmarkSuite loadSuite(const std::string& path) {
       readInt(yaml, "max_steps", suite.limits.max_steps, 1, std::numeric_limits<int>::max());
   suite.limits.first_solution_only = yaml.boolean("first", false);
   suite.motion.rotations = yaml.boolean("rotations", false);
+  if (yaml.has("external")) {
+    std::set<std::string> taken(plannerNames().begin(), plannerNames().end());
+    for (const YamlMap& entry : yaml.maps("external")) {
+      suite.external.push_back(readSolver(entry, taken));
+      taken.insert(suite.external.back().name);
+    }
+  }
   std::set<std::string> names;
   for (const YamlMap& entry : yaml.maps("families")) {
     suite.families.push_back(readFamily(entry));

@@ -75,7 +75,7 @@ TEST_F(SuiteTest, FewerAgentsAreTheFirstOfMore) {
 TEST_F(SuiteTest, NamesTheFieldThatIsWrong) {
   expectRefused(
       ":1: planner: unknown key, must be one of planners, time_limit_s, max_steps, first, "
-      "rotations, families",
+      "rotations, external, families",
       "planners", "planner");
   expectRefused(":2: time_limit_s: is '0', must be a number > 0", "s: 2", "s: 0");
   expectRefused(":3: rotations: is 'maybe', must be one of true, false", "true", "maybe");

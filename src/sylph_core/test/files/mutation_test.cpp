@@ -31,7 +31,8 @@ const char kExperiment[] =
     "  - {name: robot_1, footprint_m: [0.2, 0.1], start: [2, 3]}\n"
     "planning: {time_limit_s: 2.5}\nexecution: {speed_limit_mps: 0.4}\n";
 const char kSuite[] =
-    "first: true\nfamilies:\n  - {name: a, agents: [3, 5], generator: maze, rows: 9}\n"
+    "first: true\nexternal: [{name: b, command: \"c -m {map} {plan}\", plan_format: lacam}]\n"
+    "families:\n  - {name: a, agents: [3, 5], generator: maze, rows: 9}\n"
     "  - {name: b, agents: [1], map: a.map, scenarios: [a.scen]}\n";
 
 /// Cuts the text, or puts other characters into it, takes them out or doubles them.

@@ -5,6 +5,7 @@
 #include <variant>
 #include <vector>
 
+#include "sylph_core/benchmark/external_solver.hpp"
 #include "sylph_core/grid/generators.hpp"
 #include "sylph_core/mapf/instance.hpp"
 #include "sylph_core/planners/planner.hpp"
@@ -34,6 +35,7 @@ struct BenchmarkFamily {
 /// What sylph_benchmark runs.
 struct BenchmarkSuite {
   std::vector<std::string> planners;      ///< names, as makePlanner() takes them
+  std::vector<ExternalSolver> external;   ///< what runs on the same cases
   PlanningLimits limits;                  ///< of each run
   MotionModel motion;                     ///< of all instances
   std::vector<BenchmarkFamily> families;  ///< one or more
@@ -54,6 +56,10 @@ struct BenchmarkCase {
 ///     max_steps: 10000
 ///     first: false
 ///     rotations: false
+///     external:                # programs that run on the same cases
+///       - {name: lacam3, command: "build/main -m {map} -i {scen} -N {agents} -t {seconds} -o
+///       {plan}",
+///          plan_format: lacam, grace_s: 5}
 ///     families:                # required, one or more, of either kind
 ///       - {name: rooms, agents: [100, 200], instances: 20, seed: 1,
 ///          generator: room, rows: 32, cols: 32, room_size: 3, door_width: 1, door_share: 0.9}
