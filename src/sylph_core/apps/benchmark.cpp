@@ -1,4 +1,4 @@
-// sylph_benchmark: runs planners on a suite of instances.
+// sylph_benchmark: runs planners and external solvers on a suite of instances.
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
@@ -35,13 +35,15 @@ void writeText(const std::string& text, const std::string& path, std::ios::openm
 }
 
 /// Tells on standard error what went wrong.
-/// @return status 1 if a planner called a plan a solution that is none
+/// @return status 1 if a planner or solver called something a solution that is none, or failed
 int report(const std::vector<sylph::BenchmarkRun>& runs) {
   int status = EXIT_SUCCESS;
   for (const sylph::BenchmarkRun& run : runs) {
     if (!run.message.empty()) {
       std::cerr << "sylph_benchmark: " << run.planner << " on " << run.family << ", instance "
                 << run.instance_number << ", " << run.agents << " agents: " << run.message << "\n";
+    }
+    if (run.outcome == sylph::RunOutcome::Invalid || run.outcome == sylph::RunOutcome::Failed) {
       status = EXIT_FAILURE;
     }
   }
@@ -55,6 +57,9 @@ int benchmark(const Options& options) {
     suite.planners = options.planners;
   }
   suite.limits.social_states = false;  // nothing here shows them
+  for (const sylph::ExternalSolver& solver : suite.external) {
+    sylph::findProgram(solver);  // a missing one shows before hours of work, not after
+  }
   const std::vector<sylph::BenchmarkCase> cases = sylph::makeCases(suite);
   const auto policy = sylph::loadPolicy(suite.planners, options.weights_path);
   const auto writeCsv = [&](const std::string& text, std::ios::openmode mode) {
@@ -62,8 +67,8 @@ int benchmark(const Options& options) {
       writeText(text, options.csv_path, mode);
     }
   };
-  writeCsv(sylph::toCsv({}), std::ios::trunc);  // a bad path shows before hours of work, not after
-  sylph::ProgressBar bar(suite.planners.size() * cases.size());
+  writeCsv(sylph::toCsv({}), std::ios::trunc);  // likewise
+  sylph::ProgressBar bar((suite.planners.size() + suite.external.size()) * cases.size());
   const auto runs = sylph::runBenchmark(suite, cases, policy, options.jobs,
                                         [&](const sylph::BenchmarkRun& run, std::size_t done) {
                                           writeCsv(sylph::toCsvLine(run), std::ios::app);
@@ -78,12 +83,14 @@ int benchmark(const Options& options) {
 
 int main(int argc, char** argv) {
   CLI::App app(
-      "Runs planners on a suite of instances and prints a table. Exit status: 0 done, 1 a planner "
-      "called something a solution that is none, 2 bad input.",
+      "Runs planners and external solvers on a suite of instances and prints tables. Exit status: "
+      "0 done, 1 one of them called something a solution that is none, or a solver failed, 2 bad "
+      "input.",
       "sylph_benchmark");
   Options options;
   app.add_option("SUITE", options.suite_path, "YAML file, see loadSuite()")->required();
-  app.add_option("--planner", options.planners, "in place of the suite's planners")
+  app.add_option("--planner", options.planners,
+                 "in place of the suite's planners; its external solvers run too")
       ->check(CLI::IsMember(sylph::plannerNames()))
       ->take_all();
   sylph::addWeightsOption(app, options.weights_path);

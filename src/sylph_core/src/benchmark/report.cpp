@@ -77,7 +77,7 @@ std::string toCsvLine(const BenchmarkRun& run) {
     out << *run.evaluation.sum_of_costs_lower_bound;
   }
   out << ',' << metrics.arrived << ',';
-  if (run.evaluation.is_solved) {
+  if (run.evaluation.is_solved && !run.is_external) {
     out << run.statistics.first_solution_s;
   }
   out << ',' << run.statistics.total_s << ',' << run.statistics.policy_calls << '\n';

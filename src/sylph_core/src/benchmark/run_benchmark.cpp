@@ -1,6 +1,7 @@
 #include "sylph_core/benchmark/run_benchmark.hpp"
 
 #include <memory>
+#include <utility>
 
 #include "sylph_core/command/parallel_for.hpp"
 
@@ -32,6 +33,26 @@ BenchmarkRun runPlanner(const Planner& planner, const BenchmarkCase& benchmark_c
   return toRun(planner.name(), benchmark_case, planner.plan(benchmark_case.instance, limits, rng));
 }
 
+BenchmarkRun runSolver(const ExternalSolver& solver, const BenchmarkCase& benchmark_case,
+                       const PlanningLimits& limits) {
+  SolverAnswer answer =
+      solve(solver, benchmark_case.instance, benchmark_case.seed, limits.time_limit_s);
+  const bool is_too_long = answer.plan.size() > static_cast<std::size_t>(limits.max_steps) + 1;
+  PlanningResult result;
+  result.outcome =
+      answer.outcome == RunOutcome::Solved && !is_too_long ? Outcome::Solved : Outcome::TimeLimit;
+  result.plan = is_too_long ? Plan() : std::move(answer.plan);
+  result.statistics.total_s = answer.seconds;
+  result.statistics.sum_of_costs_lower_bound = sumOfCostsLowerBound(benchmark_case.instance);
+  BenchmarkRun run = toRun(solver.name, benchmark_case, result);
+  run.is_external = true;
+  if (result.outcome != Outcome::Solved) {
+    run.outcome = is_too_long ? RunOutcome::StepLimit : answer.outcome;
+    run.message = answer.message;
+  }
+  return run;
+}
+
 }  // namespace
 
 std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
@@ -43,6 +64,11 @@ std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
     const std::shared_ptr<const Planner> planner = makePlanner(name, policy);
     entrants.emplace_back([planner, &suite](const BenchmarkCase& benchmark_case) {
       return runPlanner(*planner, benchmark_case, suite.limits);
+    });
+  }
+  for (const ExternalSolver& solver : suite.external) {
+    entrants.emplace_back([&](const BenchmarkCase& benchmark_case) {
+      return runSolver(solver, benchmark_case, suite.limits);
     });
   }
   std::vector<BenchmarkRun> runs(entrants.size() * cases.size());

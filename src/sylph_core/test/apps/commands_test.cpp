@@ -322,6 +322,34 @@ TEST_F(CommandsTest, BenchmarkPrintsATableAndWritesCsv) {
   EXPECT_EQ(5, lines);
 }
 
+TEST_F(CommandsTest, BenchmarkRunsExternalSolversOnTheSameCases) {
+  namespace fs = std::filesystem;
+  const std::string solver = folder_.write(
+      "solver", "#!/bin/sh\n\"$@\"; [ $? -eq 0 ] || { echo out of ideas; exit 9; }\n");
+  fs::permissions(solver, fs::perms::owner_all);
+  const auto benchmark = [&](const std::string& command) {
+    const std::string suite = folder_.write(
+        "suite.yaml",
+        "first: true\nexternal:\n  - {name: other, command: \"" + command +
+            "\"}\nfamilies:\n  - {name: stored, agents: [2], map: a.map, scenarios: [a.scen]}\n");
+    return run("benchmark " + suite);
+  };
+  const CommandResult ours =
+      benchmark("./solver " + std::string(COMMANDS_DIR) +
+                "/sylph_plan --map {map} --scen {scen} --agents {agents} --time-limit {seconds} "
+                "--first --plan {plan}");
+  EXPECT_EQ(0, ours.status) << ours.output;
+  EXPECT_NE(std::string::npos, ours.output.find("2 / 2 runs\n")) << ours.output;
+  EXPECT_NE(std::string::npos, ours.output.find("stored  other         2     1     100.0        -"))
+      << ours.output;
+  const CommandResult failed = benchmark("./solver false {plan}");
+  EXPECT_EQ(1, failed.status);
+  EXPECT_NE(std::string::npos,
+            failed.output.find("sylph_benchmark: other on stored, instance 0, 2 agents: no plan, "
+                               "exit status 9; its last lines: out of ideas\n"))
+      << failed.output;
+}
+
 TEST_F(CommandsTest, BadSuitesAreOneLineAndStatusTwo) {
   const auto expectSuite = [&](const std::string& error, const std::string& content,
                                const std::string& options = "") {
@@ -333,6 +361,8 @@ TEST_F(CommandsTest, BadSuitesAreOneLineAndStatusTwo) {
   expectSuite("/bad.yaml:2: family: unknown key", good + "family: a\n");
   expectSuite("/b.map: there is no such file",
               "families: [{name: a, agents: [1], map: b.map, scenarios: [a.scen]}]\n");
+  expectSuite("/bad.yaml:2: external[0].command: there is no program 'no-such-solver' on the PATH",
+              good + "external: [{name: a, command: \"no-such-solver {plan}\"}]\n");
   expectSuite("--planner: astar not in {", good, " --planner astar");
   expectSuite("--jobs: Value 0 not in range", good, " --jobs 0");
   expectSuite("/nowhere/a.csv: cannot be written", good, " --out /nowhere/a.csv");

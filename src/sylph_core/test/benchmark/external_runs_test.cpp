@@ -2,10 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
+#include "sylph_core/benchmark/run_benchmark.hpp"
 #include "sylph_core/benchmark/suite.hpp"
+#include "sylph_core/text/join.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph {
@@ -25,6 +28,7 @@ class ExternalRunsTest : public ::testing::Test {
   ExternalRunsTest() {
     folder_.write("a.map", "type octile\nheight 2\nwidth 3\nmap\n..@\n...\n");
     folder_.write("a.scen", "version 1\n0 a.map 3 2 0 0 1 0 1\n0 a.map 3 2 2 1 1 1 1\n");
+    std::filesystem::create_directory(folder_.path("bin"));
   }
 
   /// The suite with another line for the solver.
@@ -33,6 +37,23 @@ class ExternalRunsTest : public ::testing::Test {
     const std::string from = R"(name: fake, command: "bin/fake {plan}")";
     text.replace(text.find(from), from.size(), solver);
     return loadSuite(folder_.write("suite.yaml", text));
+  }
+
+  /// A shell script that takes the plan's path as its first argument.
+  void writeSolver(const std::string& script) const {
+    const std::string path = folder_.write("bin/fake", "#!/bin/sh\n" + script);
+    std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+  }
+
+  /// On the case of two agents, when its plan is this one.
+  BenchmarkRun runWith(const std::string& plan) {
+    folder_.write("given.txt", plan);
+    writeSolver("cp given.txt \"$1\"\n");
+    const BenchmarkSuite loaded = suite();
+    const auto runs = runBenchmark(loaded, {makeCases(loaded).back()}, nullptr, 1,
+                                   [](const BenchmarkRun&, std::size_t) {});
+    EXPECT_EQ(2U, runs.size());
+    return runs.back();
   }
 
   TemporaryFolder folder_;
@@ -69,6 +90,51 @@ TEST_F(ExternalRunsTest, NamesTheFieldThatIsWrong) {
   expect("grace_s: is '0', must be a number > 0", "name: a, command: \"a {plan}\", grace_s: 0");
   expect("shell: unknown key, must be one of name, command, plan_format, grace_s",
          "name: a, command: \"a {plan}\", shell: true");
+}
+
+TEST_F(ExternalRunsTest, PlansAreJudgedByOurChecker) {
+  const BenchmarkRun solved = runWith("0: (0,0) (1,2)\n1: (0,1) (1,2)\n2: (0,1) (1,1)\n");
+  EXPECT_EQ("solved", toString(solved.outcome)) << solved.message;
+  EXPECT_TRUE(solved.evaluation.is_solved);
+  EXPECT_EQ(3, solved.evaluation.metrics.sum_of_costs);
+  EXPECT_EQ(2, solved.evaluation.sum_of_costs_lower_bound);
+  EXPECT_NE(std::string::npos, toCsvLine(solved).find("fake,two,2,0,solved,2,2,3,2,2,,"))
+      << toCsvLine(solved);
+
+  const auto expectInvalid = [&](const std::string& message, const std::string& plan) {
+    const BenchmarkRun run = runWith(plan);
+    EXPECT_EQ("invalid", toString(run.outcome));
+    EXPECT_FALSE(run.evaluation.is_solved);
+    EXPECT_NE(std::string::npos, run.message.find(message)) << run.message;
+    EXPECT_EQ(2, run.evaluation.sum_of_costs_lower_bound);
+  };
+  expectInvalid("step 1: agent 0 jumps from (0,0) to (1,1)",
+                "0: (0,0) (1,2)\n1: (1,1) (1,2)\n2: (0,1) (1,1)\n");
+  expectInvalid("step 1: agent 0 at (9999,2000000000), which is not a free cell",
+                "0: (0,0) (1,2)\n1: (9999,2000000000) (1,1)\n");
+  expectInvalid("step 0: 1 agents instead of 2", "0: (0,0)\n1: (0,1)\n");
+  expectInvalid("/plan.txt:2: step 3: must be 1", "0: (0,0) (1,2)\n3: (0,1) (1,1)\n");
+}
+
+TEST_F(ExternalRunsTest, APlanOfMoreStepsThanAllowedIsNone) {
+  const std::string waits = "0: (0,0) (1,2)\n1: (0,0) (1,2)\n2: (0,0) (1,2)\n";
+  EXPECT_EQ("solved", toString(runWith(waits + "3: (0,1) (1,1)\n").outcome));
+  EXPECT_EQ("step limit", toString(runWith(waits + "3: (0,0) (1,2)\n4: (0,1) (1,1)\n").outcome));
+}
+
+TEST_F(ExternalRunsTest, AllTakeTurnsAndRunsComeInOrder) {
+  writeSolver("exit 1");
+  std::vector<std::string> ended;
+  const BenchmarkSuite loaded = suite();
+  const auto runs = runBenchmark(loaded, makeCases(loaded), nullptr, 1,
+                                 [&](const BenchmarkRun& run, std::size_t) {
+                                   ended.push_back(run.planner + std::to_string(run.agents));
+                                 });
+  EXPECT_EQ("pibt1, fake1, pibt2, fake2", join(ended));
+  EXPECT_EQ("pibt1, pibt2, fake1, fake2", join(runs, ", ", [](const BenchmarkRun& run) {
+              return run.planner + std::to_string(run.agents);
+            }));
+  EXPECT_EQ(RunOutcome::Failed, runs.back().outcome);
 }
 
 }  // namespace

@@ -12,7 +12,7 @@
 
 namespace sylph {
 
-/// One planner on one case.
+/// One planner or solver on one case.
 struct BenchmarkRun {
   std::string planner;                         ///< its name
   std::string family;                          ///< name
@@ -21,21 +21,23 @@ struct BenchmarkRun {
   RunOutcome outcome = RunOutcome::TimeLimit;  ///< Solved, Invalid: by checkPlan()
   Evaluation evaluation;                       ///< as it was found to be
   PlanningStatistics statistics;               ///< what it took
+  bool is_external = false;  ///< by a solver: nobody knows when it had its first solution
   std::string message;       ///< one line on what went wrong, else empty
 };
 
 /// Told of a run that is over, and of how many are.
 using BenchmarkProgress = std::function<void(const BenchmarkRun&, std::size_t)>;
 
-/// Runs every planner of a suite on every case, by turns: all of them on one case before the next
-/// one, so that a computer that grows slower does so for all of them.
+/// Runs every planner and external solver of a suite on every case, by turns: all of them on one
+/// case before the next one, so that a computer that grows slower does so for all of them.
 /// @param cases     as makeCases() gives them
 /// @param policy    for the planners that need one, nullptr if none does
 /// @param jobs      runs at a time, > 0; more of them than free cores blur the times
 /// @param progress  told after each run what came of it and how many are done, never by two threads
 ///                  at once
-/// @return          the runs, planners in order, of each its cases in order
+/// @return          the runs, planners in order, then solvers in order; of each its cases in order
 /// @throws std::invalid_argument as makePlanner()
+/// @throws std::runtime_error as solve()
 std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
                                        const std::vector<BenchmarkCase>& cases,
                                        const std::shared_ptr<const Policy>& policy, int jobs,
