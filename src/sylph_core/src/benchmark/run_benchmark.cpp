@@ -1,8 +1,10 @@
 #include "sylph_core/benchmark/run_benchmark.hpp"
 
 #include <memory>
+#include <optional>
 #include <utility>
 
+#include "benchmark/cpu_pinning.hpp"
 #include "sylph_core/command/parallel_for.hpp"
 
 namespace sylph {
@@ -71,6 +73,7 @@ std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
       return runSolver(solver, benchmark_case, suite.limits);
     });
   }
+  CpuPool cpus;
   std::vector<BenchmarkRun> runs(entrants.size() * cases.size());
   const auto placeOf = [&](std::size_t index) {
     return index % entrants.size() * cases.size() + index / entrants.size();
@@ -78,6 +81,10 @@ std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
   parallelFor(
       runs.size(), jobs,
       [&](std::size_t index) {
+        std::optional<PinnedToCpu> pinned;
+        if (!suite.external.empty()) {
+          pinned.emplace(cpus);
+        }
         runs[placeOf(index)] = entrants[index % entrants.size()](cases[index / entrants.size()]);
       },
       [&](std::size_t index, std::size_t done) { progress(runs[placeOf(index)], done); });

@@ -1,8 +1,11 @@
 // External solvers in a suite: read, run by turns with planners, and judged like them.
 
 #include <gtest/gtest.h>
+#include <sched.h>
 
 #include <filesystem>
+#include <fstream>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -135,6 +138,21 @@ TEST_F(ExternalRunsTest, AllTakeTurnsAndRunsComeInOrder) {
               return run.planner + std::to_string(run.agents);
             }));
   EXPECT_EQ(RunOutcome::Failed, runs.back().outcome);
+}
+
+TEST_F(ExternalRunsTest, ASolverKeepsToOneCpuAndTheCallerToThoseItHad) {
+  writeSolver("grep Cpus_allowed_list /proc/self/status > cpus\n");
+  cpu_set_t before{};
+  ASSERT_EQ(0, sched_getaffinity(0, sizeof(before), &before));
+  const BenchmarkSuite loaded = suite();
+  runBenchmark(loaded, makeCases(loaded), nullptr, 1, [](const BenchmarkRun&, std::size_t) {});
+  cpu_set_t after{};
+  ASSERT_EQ(0, sched_getaffinity(0, sizeof(after), &after));
+  EXPECT_TRUE(CPU_EQUAL(&before, &after));
+  std::ifstream file(folder_.path("cpus"));
+  const std::string cpus(std::istreambuf_iterator<char>(file), {});
+  EXPECT_EQ(std::string::npos, cpus.find_first_of(",-")) << cpus;
+  EXPECT_NE(std::string::npos, cpus.find_first_of("0123456789")) << cpus;
 }
 
 }  // namespace

@@ -30,6 +30,10 @@ using BenchmarkProgress = std::function<void(const BenchmarkRun&, std::size_t)>;
 
 /// Runs every planner and external solver of a suite on every case, by turns: all of them on one
 /// case before the next one, so that a computer that grows slower does so for all of them.
+///
+/// With external solvers each run keeps to one CPU, planners and solvers alike, however many
+/// threads they have: the first that the calling thread may use (taskset(1) sets which these are),
+/// with more jobs the next ones too.
 /// @param cases     as makeCases() gives them
 /// @param policy    for the planners that need one, nullptr if none does
 /// @param jobs      runs at a time, > 0; more of them than free cores blur the times
