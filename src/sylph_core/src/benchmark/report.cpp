@@ -4,6 +4,7 @@
 #include <sstream>
 #include <tuple>
 
+#include "benchmark/text_table.hpp"
 #include "sylph_core/benchmark/run_benchmark.hpp"
 #include "sylph_core/text/format.hpp"
 
@@ -16,53 +17,44 @@ double percentile(const std::vector<double>& sorted, double share) {
   return sorted[std::max<std::size_t>(rank, 1) - 1];
 }
 
+/// Who starts on the goals needs no step: costs of 0 count as 1 on both sides.
+double ratio(long cost, long against) {
+  return static_cast<double>(std::max(cost, 1L)) / static_cast<double>(std::max(against, 1L));
+}
+
+/// Median and 95th percentile, "-" where there is none.
+std::vector<std::string> timeCells(std::vector<double> seconds) {
+  if (seconds.empty()) {
+    return {"-", "-"};
+  }
+  std::sort(seconds.begin(), seconds.end());
+  return {format("%.3f", percentile(seconds, 0.5)), format("%.3f", percentile(seconds, 0.95))};
+}
+
 std::vector<std::string> summarize(const std::vector<const BenchmarkRun*>& runs) {
   std::vector<double> first_s;
+  std::vector<double> cost_ratios;
   double makespans = 0.0;
-  double cost_ratios = 0.0;
   for (const BenchmarkRun* run : runs) {
-    if (run->evaluation.is_solved) {
-      first_s.push_back(run->statistics.first_solution_s);
-      makespans += run->evaluation.metrics.makespan;
-      const auto bound = static_cast<double>(run->evaluation.sum_of_costs_lower_bound.value());
-      // Who starts on the goals needs no step: as good as the bound.
-      cost_ratios +=
-          bound > 0.0 ? static_cast<double>(run->evaluation.metrics.sum_of_costs) / bound : 1.0;
+    if (!run->evaluation.is_solved) {
+      continue;
     }
+    if (!run->is_external) {
+      first_s.push_back(run->statistics.first_solution_s);
+    }
+    makespans += run->evaluation.metrics.makespan;
+    cost_ratios.push_back(ratio(run->evaluation.metrics.sum_of_costs,
+                                run->evaluation.sum_of_costs_lower_bound.value()));
   }
-  const auto solved = static_cast<double>(first_s.size());
+  const auto solved = static_cast<double>(cost_ratios.size());
   std::vector<std::string> cells = {
       std::to_string(runs.size()),
       format("%.1f", 100.0 * solved / static_cast<double>(runs.size()))};
-  if (first_s.empty()) {
-    cells.insert(cells.end(), 4, "-");
-    return cells;
+  for (const auto& more : {timeCells(first_s), meanCells(cost_ratios)}) {
+    cells.insert(cells.end(), more.begin(), more.end());
   }
-  std::sort(first_s.begin(), first_s.end());
-  cells.push_back(format("%.3f", percentile(first_s, 0.5)));
-  cells.push_back(format("%.3f", percentile(first_s, 0.95)));
-  cells.push_back(format("%.3f", cost_ratios / solved));
-  cells.push_back(format("%.1f", makespans / solved));
+  cells.push_back(cost_ratios.empty() ? "-" : format("%.1f", makespans / solved));
   return cells;
-}
-
-/// Columns as wide as their widest cell, the first two to the left, the others to the right.
-std::string align(const std::vector<std::vector<std::string>>& rows) {
-  std::vector<std::size_t> widths(rows.front().size(), 0);
-  for (const auto& row : rows) {
-    for (std::size_t col = 0; col < row.size(); ++col) {
-      widths[col] = std::max(widths[col], row[col].size());
-    }
-  }
-  std::string text;
-  for (const auto& row : rows) {
-    for (std::size_t col = 0; col < row.size(); ++col) {
-      const std::string padding(widths[col] - row[col].size(), ' ');
-      text += (col > 0 ? "  " : "") + (col < 2 ? row[col] + padding : padding + row[col]);
-    }
-    text += "\n";
-  }
-  return text;
 }
 
 }  // namespace
@@ -103,14 +95,15 @@ std::string toTable(const std::vector<BenchmarkRun>& runs) {
     groups[{order, run.planner, run.agents}].push_back(&run);
   }
   std::vector<std::vector<std::string>> rows = {{"family", "planner", "agents", "runs", "solved %",
-                                                 "first s", "p95 s", "cost / bound", "makespan"}};
+                                                 "first s", "p95 s", "cost / bound",
+                                                 "95 % interval", "makespan"}};
   for (const auto& [key, group] : groups) {
     rows.push_back(
         {group.front()->family, group.front()->planner, std::to_string(group.front()->agents)});
     const std::vector<std::string> cells = summarize(group);
     rows.back().insert(rows.back().end(), cells.begin(), cells.end());
   }
-  return align(rows);
+  return alignTable(rows);
 }
 
 }  // namespace sylph

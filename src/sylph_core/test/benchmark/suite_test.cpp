@@ -173,9 +173,22 @@ TEST(BenchmarkReportTest, TheTableSummarizesSolvedRuns) {
   const std::string table = toTable({exampleRun(0, true, 110, 0.5), exampleRun(1, true, 130, 0.25),
                                      exampleRun(2, false, 999, 0.0)});
   EXPECT_EQ(
-      "family  planner  agents  runs  solved %  first s  p95 s  cost / bound  makespan\n"
-      "rooms   lacam         7     3      66.7    0.250  0.500         1.200      12.0\n",
+      "family  planner  agents  runs  solved %  first s  p95 s  cost / bound  95 % interval  "
+      "makespan\n"
+      "rooms   lacam         7     3      66.7    0.250  0.500         1.200   1.100..1.300      "
+      "12.0\n",
       table);
+}
+
+TEST(BenchmarkReportTest, OfExternalSolversNobodyKnowsTheFirstSolution) {
+  BenchmarkRun run = exampleRun(0, true, 110, 0.0);
+  run.is_external = true;
+  EXPECT_EQ(
+      "family  planner  agents  runs  solved %  first s  p95 s  cost / bound  95 % interval  "
+      "makespan\n"
+      "rooms   lacam         7     1     100.0        -      -         1.100              -      "
+      "12.0\n",
+      toTable({run}));
 }
 
 TEST(BenchmarkReportTest, TheCsvHasOneLineARun) {

@@ -54,8 +54,9 @@ std::string toCsvLine(const BenchmarkRun& run);
 std::string toCsv(const std::vector<BenchmarkRun>& runs);
 
 /// One line for each planner, family and number of agents. Times and costs are over the solved
-/// runs: median and 95th percentile of the time to the first solution [s], mean of the sum of
-/// costs over its lower bound, mean makespan [timesteps].
+/// runs: median and 95th percentile of the time to the first solution [s], which of an external
+/// solver nobody knows; mean of the sum of costs over its lower bound and the interval that
+/// bootstrapMean() gives it; mean makespan [timesteps].
 std::string toTable(const std::vector<BenchmarkRun>& runs);
 
 }  // namespace sylph
