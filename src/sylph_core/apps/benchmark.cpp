@@ -75,6 +75,9 @@ int benchmark(const Options& options) {
                                           bar.show(done);
                                         });
   std::cout << sylph::toTable(runs);
+  if (const std::string ratios = sylph::toRatioTable(runs); !ratios.empty()) {
+    std::cout << "\n" << ratios;
+  }
   writeCsv(sylph::toCsv(runs), std::ios::trunc);  // in order, whatever the order of the ends
   return report(runs);
 }

@@ -106,4 +106,55 @@ std::string toTable(const std::vector<BenchmarkRun>& runs) {
   return alignTable(rows);
 }
 
+std::string toRatioTable(const std::vector<BenchmarkRun>& runs) {
+  using Case = std::tuple<std::string, int, int>;  // family, agents, instance
+  using Group = std::pair<std::string, int>;       // family, agents; empty, 0: all of them
+  const auto caseOf = [](const BenchmarkRun& run) {
+    return Case(run.family, run.agents, run.instance_number);
+  };
+  std::map<Case, long> first_costs;
+  std::vector<Group> groups;
+  std::vector<std::string> others;
+  std::map<std::pair<std::string, Group>, std::vector<double>> ratios;
+  const auto addOnce = [](auto& values, const auto& value) {
+    if (std::find(values.begin(), values.end(), value) == values.end()) {
+      values.push_back(value);
+    }
+  };
+  for (const BenchmarkRun& run : runs) {
+    const bool is_first = run.planner == runs.front().planner;
+    addOnce(groups, Group(run.family, run.agents));
+    if (!is_first) {
+      addOnce(others, run.planner);
+    }
+    if (!run.evaluation.is_solved) {
+      continue;
+    }
+    const long cost = run.evaluation.metrics.sum_of_costs;
+    if (is_first) {
+      first_costs[caseOf(run)] = cost;
+    } else if (const auto first = first_costs.find(caseOf(run)); first != first_costs.end()) {
+      ratios[{run.planner, {run.family, run.agents}}].push_back(ratio(cost, first->second));
+      ratios[{run.planner, {"", 0}}].push_back(ratio(cost, first->second));
+    }
+  }
+  if (others.empty()) {
+    return "";
+  }
+  groups.emplace_back("", 0);
+  std::vector<std::vector<std::string>> rows = {{"family", "planner", "agents", "both solve",
+                                                 "cost / " + runs.front().planner,
+                                                 "95 % interval"}};
+  for (const Group& group : groups) {
+    for (const std::string& other : others) {
+      const std::vector<double>& values = ratios[{other, group}];
+      const std::vector<std::string> cells = meanCells(values);
+      rows.push_back({group.second == 0 ? "all" : group.first, other,
+                      group.second == 0 ? "" : std::to_string(group.second),
+                      std::to_string(values.size()), cells[0], cells[1]});
+    }
+  }
+  return alignTable(rows);
+}
+
 }  // namespace sylph

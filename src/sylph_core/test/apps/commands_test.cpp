@@ -342,6 +342,9 @@ TEST_F(CommandsTest, BenchmarkRunsExternalSolversOnTheSameCases) {
   EXPECT_NE(std::string::npos, ours.output.find("2 / 2 runs\n")) << ours.output;
   EXPECT_NE(std::string::npos, ours.output.find("stored  other         2     1     100.0        -"))
       << ours.output;
+  EXPECT_NE(std::string::npos,
+            ours.output.find("stored  other         2           1         1.000"))
+      << ours.output;
   const CommandResult failed = benchmark("./solver false {plan}");
   EXPECT_EQ(1, failed.status);
   EXPECT_NE(std::string::npos,

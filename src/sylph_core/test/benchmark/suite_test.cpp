@@ -191,6 +191,32 @@ TEST(BenchmarkReportTest, OfExternalSolversNobodyKnowsTheFirstSolution) {
       toTable({run}));
 }
 
+TEST(BenchmarkReportTest, PlannersAreComparedOnWhatBothSolve) {
+  const auto by = [](const std::string& planner, BenchmarkRun run) {
+    run.planner = planner;
+    return run;
+  };
+  const std::vector<BenchmarkRun> first = {
+      exampleRun(0, true, 100, 0.0), exampleRun(1, true, 200, 0.0), exampleRun(2, false, 999, 0.0)};
+  EXPECT_EQ("", toRatioTable(first));
+  std::vector<BenchmarkRun> runs = first;
+  runs.push_back(by("pibt", exampleRun(0, true, 150, 0.0)));
+  runs.push_back(by("pibt", exampleRun(1, true, 220, 0.0)));
+  runs.push_back(by("pibt", exampleRun(2, true, 100, 0.0)));
+  runs.push_back(by("none", exampleRun(0, false, 150, 0.0)));
+  runs[4].agents = 9;  // another group, whose other run is not there
+  runs.push_back(by("pibt", exampleRun(1, true, 220, 0.0)));
+  EXPECT_EQ(
+      "family  planner  agents  both solve  cost / lacam  95 % interval\n"
+      "rooms   pibt          7           2         1.300   1.100..1.500\n"
+      "rooms   none          7           0             -              -\n"
+      "rooms   pibt          9           0             -              -\n"
+      "rooms   none          9           0             -              -\n"
+      "all     pibt                      2         1.300   1.100..1.500\n"
+      "all     none                      0             -              -\n",
+      toRatioTable(runs));
+}
+
 TEST(BenchmarkReportTest, TheCsvHasOneLineARun) {
   EXPECT_EQ(
       "planner,family,agents,instance,outcome,steps,makespan,sum_of_costs,"

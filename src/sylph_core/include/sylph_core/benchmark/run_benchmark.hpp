@@ -59,4 +59,10 @@ std::string toCsv(const std::vector<BenchmarkRun>& runs);
 /// bootstrapMean() gives it; mean makespan [timesteps].
 std::string toTable(const std::vector<BenchmarkRun>& runs);
 
+/// Each planner against the first one of the runs, over the cases that both solve: mean of the
+/// ratio of their sums of costs, with its interval. One line for each family, number of agents and
+/// planner, then one for each planner over all of them. Empty if there is no second planner.
+/// @param runs  as runBenchmark() gives them
+std::string toRatioTable(const std::vector<BenchmarkRun>& runs);
+
 }  // namespace sylph
