@@ -9,6 +9,7 @@
 #include "experiment/execution_members.hpp"
 #include "files/text_file.hpp"
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/files/write_file.hpp"
 
 namespace sylph {
 namespace {
@@ -89,7 +90,7 @@ void saveExperiment(const Experiment& experiment, const std::string& path) {
   yaml << YAML::Key << "execution" << YAML::Value;
   write(yaml, experiment.execution);
   yaml << YAML::EndMap;
-  writeTextFile(path, std::string(yaml.c_str()) + "\n");
+  writeFile(path, std::string(yaml.c_str()) + "\n");
 }
 
 }  // namespace sylph

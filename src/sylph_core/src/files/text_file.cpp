@@ -41,15 +41,6 @@ std::string readTextFile(const std::string& path, std::size_t max_bytes) {
   return content;
 }
 
-void writeTextFile(const std::string& path, const std::string& content) {
-  std::ofstream file(path, std::ios::binary);
-  file.write(content.data(), static_cast<std::streamsize>(content.size()));
-  file.close();
-  if (!file) {
-    throw fileError(path, 0, std::string("cannot be written: ") + std::strerror(errno));
-  }
-}
-
 std::vector<std::string> splitLines(const std::string& text) {
   std::vector<std::string> lines;
   for (std::size_t begin = 0; begin < text.size();) {

@@ -15,10 +15,6 @@ std::runtime_error fileError(const std::string& path, std::size_t line, const st
 /// @throws std::runtime_error naming the file if it cannot be read or is larger than `max_bytes`
 std::string readTextFile(const std::string& path, std::size_t max_bytes);
 
-/// Writes a whole file.
-/// @throws std::runtime_error naming the file if it cannot be written
-void writeTextFile(const std::string& path, const std::string& content);
-
 /// Lines of a text without their ends ("\n" or "\r\n"); empty lines at the end are left out.
 std::vector<std::string> splitLines(const std::string& text);
 

@@ -6,6 +6,7 @@
 
 #include "files/text_file.hpp"
 #include "grid/map_server_file.hpp"
+#include "sylph_core/files/write_file.hpp"
 
 namespace sylph {
 namespace {
@@ -109,7 +110,7 @@ void saveMap(const Grid& grid, const std::string& path) {
   for (const char c : grid.toText()) {
     text.push_back(c == '#' ? '@' : c);
   }
-  writeTextFile(path, text);
+  writeFile(path, text);
 }
 
 }  // namespace sylph

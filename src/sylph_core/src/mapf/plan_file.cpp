@@ -7,6 +7,7 @@
 
 #include "files/text_file.hpp"
 #include "mapf/plan_scanner.hpp"
+#include "sylph_core/files/write_file.hpp"
 
 namespace sylph {
 namespace {
@@ -74,7 +75,7 @@ void savePlan(const Plan& plan, const std::string& path) {
     }
     text += '\n';
   }
-  writeTextFile(path, text);
+  writeFile(path, text);
 }
 
 }  // namespace sylph

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "files/text_file.hpp"
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_core/grid/distance_field.hpp"
 
 namespace sylph {
@@ -92,7 +93,7 @@ void saveScenario(const Instance& instance, const std::string& map_path, const s
         << instance.grid.rows() << '\t' << start.col << '\t' << start.row << '\t' << goal.col
         << '\t' << goal.row << '\t' << length << '\n';
   }
-  writeTextFile(path, out.str());
+  writeFile(path, out.str());
 }
 
 }  // namespace sylph

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_core/text/join.hpp"
 #include "text/json_integer.hpp"
 #include "text/one_line.hpp"
@@ -136,9 +137,7 @@ void saveTensorFile(const TensorFile& file, const std::string& path) {
       stream.write(reinterpret_cast<const char*>(tensor.values.data()),
                    static_cast<std::streamsize>(tensor.values.size() * sizeof(float)));
     }
-    if (!stream.flush()) {
-      refuse(partial, "cannot be written");
-    }
+    closeWritten(stream, partial);
   }
   std::error_code error;
   std::filesystem::rename(partial, path, error);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstddef>
 
-#include "files/text_file.hpp"
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_core/text/format.hpp"
 
 namespace sylph {
@@ -19,7 +19,7 @@ void saveSocialStates(const Plan& plan, const std::vector<SocialState>& social,
               "," + format("%.1f", static_cast<double>(social[step].svo_deg[agent])) + "\n";
     }
   }
-  writeTextFile(path, text);
+  writeFile(path, text);
 }
 
 }  // namespace sylph
