@@ -2,10 +2,9 @@
 
 #include <yaml-cpp/yaml.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
-#include <stdexcept>
+#include <string>
+
+#include "sylph_core/files/write_file.hpp"
 
 namespace sylph_adg_central {
 
@@ -43,11 +42,7 @@ void writeResult(const sylph::RunResult& result, const std::string& path) {
     put("collisions", *result.collisions);
   }
   yaml << YAML::EndMap;
-  std::ofstream file(path);
-  file << yaml.c_str() << "\n";
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-  }
+  sylph::writeFile(path, std::string(yaml.c_str()) + "\n");
 }
 
 }  // namespace sylph_adg_central

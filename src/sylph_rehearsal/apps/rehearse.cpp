@@ -1,16 +1,12 @@
 // sylph_rehearse: runs an experiment in the simulated lab, in one process and without ROS.
 
 #include <CLI/CLI.hpp>
-#include <cerrno>
 #include <cstdint>
 #include <cstdlib>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <random>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -20,6 +16,7 @@
 #include "sylph_core/command/progress_bar.hpp"
 #include "sylph_core/command/run_command.hpp"
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_core/planners/planner.hpp"
 #include "sylph_core/policy/policy.hpp"
 #include "sylph_rehearsal/rehearsal.hpp"
@@ -81,15 +78,6 @@ std::vector<Rehearsal> runAll(const Options& options, const sylph_rehearsal::See
   return runs;
 }
 
-void writeFile(const std::string& path, const std::string& content) {
-  std::ofstream file(path);
-  file << content;
-  file.close();
-  if (!file) {
-    throw std::runtime_error(path + ": cannot be written: " + std::strerror(errno));
-  }
-}
-
 /// Writes what the central node logged in each run, as it does in the lab: FOLDER/<seed>.jsonl.
 void writeEventLogs(const std::string& folder, const std::vector<Rehearsal>& runs) {
   std::filesystem::create_directories(folder);
@@ -98,7 +86,7 @@ void writeEventLogs(const std::string& folder, const std::vector<Rehearsal>& run
     for (const std::string& line : run.event_log) {
       lines += line + "\n";
     }
-    writeFile(folder + "/" + std::to_string(run.seed) + ".jsonl", lines);
+    sylph::writeFile(folder + "/" + std::to_string(run.seed) + ".jsonl", lines);
   }
 }
 
@@ -132,7 +120,7 @@ int rehearseAll(const Options& options) {
     seeds = sylph_rehearsal::seedsFromText(options.seeds);
   }
   if (!options.report_path.empty()) {
-    writeFile(options.report_path, "");  // a wrong path is told before hours of runs
+    sylph::writeFile(options.report_path, "");  // a wrong path is told before hours of runs
   }
   const std::vector<Rehearsal> runs = runAll(options, seeds, policy);
   if (!options.event_logs.empty()) {
@@ -141,7 +129,7 @@ int rehearseAll(const Options& options) {
   const sylph::Experiment experiment =
       sylph_rehearsal::experimentOf(options.experiment_path, seeds.first, options.robots);
   if (!options.report_path.empty()) {
-    writeFile(options.report_path, toPage(experiment, runs));
+    sylph::writeFile(options.report_path, toPage(experiment, runs));
   }
   std::cout << (options.is_json ? toJson(experiment, runs) + "\n" : toTable(experiment, runs));
   const bool has_faults = options.has_random_faults || !options.faults_path.empty();

@@ -2,9 +2,12 @@
 #include <fstream>
 #include <iomanip>
 #include <iostream>
-#include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "sylph_core/command/run_command.hpp"
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_training/run/policy_meters.hpp"
 
 namespace {
@@ -48,9 +51,7 @@ void write(const std::vector<std::pair<std::string, sylph_training::Figures>>& c
     }
     file << "\n";
   }
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
+  sylph::closeWritten(file, path);
 }
 
 int report(Options options) {

@@ -2,10 +2,11 @@
 #include <fstream>
 #include <iostream>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "sylph_core/command/run_command.hpp"
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_core/policy/tensor_file.hpp"
 #include "sylph_training/run/threads.hpp"
 #include "sylph_training/run/training_settings.hpp"
@@ -65,9 +66,7 @@ void writeTrace(const Rollout& rollout, const std::string& path) {
            << rollout.partners[row].item<int>() << "\n";
     }
   }
-  if (!file.flush()) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
+  sylph::closeWritten(file, path);
 }
 
 int study(const Options& options) {

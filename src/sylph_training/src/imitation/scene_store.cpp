@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_core/social/svo.hpp"
 
 namespace sylph_training {
@@ -141,9 +142,7 @@ void SceneStore::save(const std::string& path) const {
     }
     write(stream, agents_.data(), agents_.size());
     write(stream, samples_.data(), samples_.size());
-    if (!stream.flush()) {
-      throw std::runtime_error(partial + ": cannot be written");
-    }
+    sylph::closeWritten(stream, partial);
   }
   std::error_code error;
   std::filesystem::rename(partial, path, error);

@@ -9,6 +9,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "sylph_core/files/write_file.hpp"
 #include "sylph_core/policy/tensor_file.hpp"
 #include "sylph_core/search/deadline.hpp"
 #include "sylph_training/model/learner.hpp"
@@ -73,7 +74,7 @@ class Trainer::Log {
       }
     }
     old.close();
-    std::ofstream(path_, std::ios::trunc) << (step == 0 ? "" : kept);
+    sylph::writeFile(path_, step == 0 ? "" : kept);
     is_empty_ = step == 0 || kept.empty();
   }
 
@@ -86,11 +87,8 @@ class Trainer::Log {
       names << "," << name;
       values << "," << toText(value);
     }
-    std::ofstream file(path_, std::ios::app);
-    file << (is_empty_ ? names.str() + "\n" : "") << values.str() << "\n";
-    if (!file.flush()) {
-      throw std::runtime_error(path_ + ": cannot be written");
-    }
+    const std::string headings = is_empty_ ? names.str() + "\n" : "";
+    sylph::writeFile(path_, headings + values.str() + "\n", std::ios::app);
     is_empty_ = false;
   }
 

@@ -4,6 +4,8 @@
 
 #include <chrono>
 #include <cstring>
+#include <filesystem>
+#include <string>
 #include <thread>
 
 #include "sylph_training/imitation/demonstration.hpp"
@@ -104,6 +106,14 @@ TEST(SceneStoreTest, AFileThatIsNotThereIsNoFileOfAnotherVersion) {
     EXPECT_EQ(folder.path("scenes") + ": cannot be opened: No such file or directory",
               std::string(error.what()));
   }
+}
+
+TEST(SceneStoreTest, AFullDiskIsNamed) {
+  const sylph::TemporaryFolder folder;
+  const std::string path = folder.path("scenes");
+  std::filesystem::create_symlink("/dev/full", path + ".partial");
+  sylph::expectError("scenes.partial: cannot be written: No space left on device",
+                     [&] { SceneStore().save(path); });
 }
 
 TEST(SceneStoreTest, RowsOutOfRangeAreRefused) {
