@@ -1,11 +1,18 @@
 #include "sylph_adg_central/run_folder.hpp"
 
+#include <yaml-cpp/yaml.h>
+
 #include <array>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "sylph_core/files/write_file.hpp"
 
 namespace sylph_adg_central {
 namespace {
@@ -15,13 +22,37 @@ std::string contentOf(const std::string& path) {
   return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
 }
 
+/// A file of the folder by which a run is known.
+struct Mark {
+  std::string name;
+  std::string content;
+  std::string difference;  ///< what a run is that has another content
+};
+
+std::vector<Mark> marksOf(const sylph::Experiment& experiment) {
+  const std::filesystem::path map = experiment.map_path;
+  std::vector<Mark> marks = {
+      {"experiment.yaml", contentOf(experiment.path), "of another experiment"},
+      {"map" + map.extension().string(), contentOf(map), "on another map"},
+      {"seed.txt", std::to_string(experiment.seed) + "\n", "of another seed"}};
+  if (map.extension() != ".map") {  // of map_server, beside its image
+    const std::filesystem::path image = YAML::LoadFile(map)["image"].as<std::string>();
+    marks.push_back({"map" + image.extension().string(), contentOf(map.parent_path() / image),
+                     "on another map"});
+  }
+  return marks;
+}
+
 }  // namespace
 
 RunFolder::RunFolder(std::string path, const sylph::Experiment& experiment, bool is_ours)
     : path_(std::move(path)) {
-  const std::string copy = path_ + "/experiment.yaml";
-  if (!is_ours && std::filesystem::exists(copy) && contentOf(copy) != contentOf(experiment.path)) {
-    refuse("of another experiment");
+  const std::vector<Mark> marks = marksOf(experiment);
+  for (const Mark& mark : marks) {
+    const std::string there = path_ + "/" + mark.name;
+    if (!is_ours && std::filesystem::exists(there) && contentOf(there) != mark.content) {
+      refuse(mark.difference);
+    }
   }
   // A result without events is of a mission that failed before it began; with them the log decides,
   // see CentralNode::rebuild().
@@ -30,12 +61,11 @@ RunFolder::RunFolder(std::string path, const sylph::Experiment& experiment, bool
   }
   std::error_code error;
   std::filesystem::create_directories(path_, error);
-  if (!error) {
-    std::filesystem::copy_file(experiment.path, copy,
-                               std::filesystem::copy_options::overwrite_existing, error);
-  }
   if (error) {
     throw std::runtime_error("run folder " + path_ + ": " + error.message());
+  }
+  for (const Mark& mark : marks) {
+    sylph::writeFile(path_ + "/" + mark.name, mark.content);
   }
 }
 

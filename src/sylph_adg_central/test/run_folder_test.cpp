@@ -75,11 +75,27 @@ TEST_F(RunFolderTest, RefusesTheFolderOfARunThatIsOver) {
   EXPECT_TRUE(result()["success"].as<bool>()) << "the old result is lost";
 }
 
-TEST_F(RunFolderTest, RefusesTheFolderOfAnotherExperiment) {
+TEST_F(RunFolderTest, RefusesTheFolderOfAnotherExperimentMapOrSeed) {
   node_.reset();
-  nh_.setParam("run_folder_taken", "");
-  std::ofstream(folder_ + "/experiment.yaml", std::ios::app) << "# another one\n";
-  EXPECT_THROW(CentralNode(nh_, private_nh_), std::runtime_error);
+  for (const auto& [file, difference] : {std::pair("experiment.yaml", "of another experiment"),
+                                         {"map.map", "on another map"},
+                                         {"seed.txt", "of another seed"}}) {
+    nh_.setParam("run_folder_taken", "");
+    const std::string path = folder_ + "/" + file;
+    const std::string mine = path + ".mine";
+    std::filesystem::copy_file(path, mine);
+    std::ofstream(path, std::ios::app) << "2\n";
+    try {
+      const CentralNode second(nh_, private_nh_);
+      ADD_FAILURE() << "taken: " << file;
+    } catch (const std::runtime_error& error) {
+      EXPECT_EQ("run folder " + folder_ + ": holds a run " + difference +
+                    "; name one that does not exist yet, or none",
+                std::string(error.what()));
+    }
+    std::filesystem::rename(mine, path);
+  }
+  start();
 }
 
 TEST_F(RunFolderTest, SaysThatItResumesThePlanOfAnEarlierLaunch) {

@@ -211,6 +211,32 @@ class LaunchFilesTest(unittest.TestCase):
         self.assertTrue(load(LAB, experiment="lab_maze", run_folder="run").nodes)
         self.assert_folder_refused("run", "holds a run of another experiment; name one that does not exist yet, or none")
 
+    def test_refuses_the_folder_of_an_unfinished_run_on_another_map_or_of_another_seed(self):
+        shutil.copytree(os.path.join(ROOT, "test", "fleets"), "fleets")
+        os.makedirs("run")
+        for copy, file in (("experiment.yaml", "pair.yaml"), ("map.yaml", "hall.yaml"), ("map.pgm", "hall.pgm")):
+            shutil.copy(os.path.join("fleets", file), os.path.join("run", copy))
+        for name, text in (("seed.txt", "0\n"), ("events.jsonl", '{"phase": "executing"}\n')):
+            with open(os.path.join("run", name), "w", encoding="utf-8") as stream:
+                stream.write(text)
+
+        def refusal(seed=-1):
+            command = [USER_PATH, "folder", "run", "fleets/pair.yaml", str(seed)]
+            ran = subprocess.run(command, capture_output=True, text=True, check=False)
+            return ran.stderr.partition(" holds a run ")[2].partition(";")[0]
+
+        self.assertEqual(["", "", "of another seed"], [refusal(), refusal(0), refusal(7)])
+        with self.assertRaises(roslaunch.core.RLException):
+            load(LAB, experiment="fleets/pair.yaml", run_folder="run", seed=7)
+        for file in ("hall.pgm", "hall.yaml"):
+            with open(os.path.join("fleets", file), "r+", encoding="utf-8") as stream:
+                text = stream.read()
+                stream.write("# edited\n")
+            self.assertEqual("on another map", refusal(), file)
+            with open(os.path.join("fleets", file), "w", encoding="utf-8") as stream:
+                stream.write(text)
+        self.assertEqual("", refusal())
+
     def test_refuses_a_folder_whose_event_log_the_central_node_could_not_go_on_from(self):
         os.mkdir("run")
         executing = '{"phase": "executing"}\n'

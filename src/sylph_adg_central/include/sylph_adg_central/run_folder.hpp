@@ -10,9 +10,10 @@ namespace sylph_adg_central {
 /// The folder of one run and what is copied into it.
 class RunFolder {
  public:
-  /// Makes the folder unless it exists and puts a copy of the experiment into it.
+  /// Makes the folder unless it exists and puts copies of the experiment and its map, and the seed,
+  /// into it.
   /// @param is_ours  this run has used the folder before; any other run's is refused if it is of
-  /// another experiment or has no event log to go on from
+  /// another experiment, map or seed or has no event log to go on from
   /// @throws std::runtime_error naming what cannot be made or written, or the folder refused
   RunFolder(std::string path, const sylph::Experiment& experiment, bool is_ours);
 
