@@ -192,6 +192,23 @@ TEST_F(CentralNodeTest, RefusesAPlanThatDoesNotStartWhereRobotsAre) {
   ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
 }
 
+TEST_F(CentralNodeTest, HasARobotAlignedBeforeThePlanStarts) {
+  node_.reset();
+  robots_[2]->setPosition(frame_.toPoint({3, 3}) + sylph::Vector2{0.06, 0.0});
+  private_nh_.setParam("align", true);
+  start();
+  private_nh_.deleteParam("align");
+  send(jointActions(mission(), names_, 1));
+  ASSERT_TRUE(spinUntil([&] { return robot(2).aligning != 0; }));
+  EXPECT_EQ(AdgState::PENDING, state_.phase);
+  EXPECT_EQ(0, robot(0).aligning + robot(1).aligning);
+  EXPECT_NE(std::string::npos, state_.message.find("robot_2 is being aligned")) << state_.message;
+  robots_[2]->setPosition(frame_.toPoint({3, 3}));
+  ASSERT_TRUE(spinUntilPhase(AdgState::FINISHED));
+  EXPECT_EQ(0, robot(2).aligning);
+  expectCarriedOutOnce();
+}
+
 TEST_F(CentralNodeTest, RefusesAMalformedPlan) {
   sylph_msgs::JointActions plan = jointActions(mission(), names_, 1);
   plan.steps[2].actions[0].to.col += 1;
