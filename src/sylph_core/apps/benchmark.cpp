@@ -2,10 +2,9 @@
 
 #include <CLI/CLI.hpp>
 #include <cstdlib>
-#include <fstream>
+#include <ios>
 #include <iostream>
 #include <limits>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "sylph_core/benchmark/suite.hpp"
 #include "sylph_core/command/progress_bar.hpp"
 #include "sylph_core/command/run_command.hpp"
+#include "sylph_core/files/write_file.hpp"
 #include "weights_option.hpp"
 
 namespace {
@@ -24,15 +24,6 @@ struct Options {
   int jobs = 1;
   std::string csv_path;
 };
-
-void writeText(const std::string& text, const std::string& path, std::ios::openmode mode) {
-  std::ofstream file(path, mode);
-  file << text;
-  file.close();
-  if (!file) {
-    throw std::runtime_error(path + ": cannot be written");
-  }
-}
 
 /// Tells on standard error what went wrong.
 /// @return status 1 if a planner or solver called something a solution that is none, or failed
@@ -64,7 +55,7 @@ int benchmark(const Options& options) {
   const auto policy = sylph::loadPolicy(suite.planners, options.weights_path);
   const auto writeCsv = [&](const std::string& text, std::ios::openmode mode) {
     if (!options.csv_path.empty()) {
-      writeText(text, options.csv_path, mode);
+      sylph::writeFile(options.csv_path, text, mode);
     }
   };
   writeCsv(sylph::toCsv({}), std::ios::trunc);  // likewise

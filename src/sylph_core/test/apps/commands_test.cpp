@@ -368,7 +368,8 @@ TEST_F(CommandsTest, BadSuitesAreOneLineAndStatusTwo) {
               good + "external: [{name: a, command: \"no-such-solver {plan}\"}]\n");
   expectSuite("--planner: astar not in {", good, " --planner astar");
   expectSuite("--jobs: Value 0 not in range", good, " --jobs 0");
-  expectSuite("/nowhere/a.csv: cannot be written", good, " --out /nowhere/a.csv");
+  expectSuite("/nowhere/a.csv: cannot be written: No such file or directory", good,
+              " --out /nowhere/a.csv");
   expectRefused("SUITE is required", "benchmark");
 }
 
