@@ -28,8 +28,7 @@ namespace {
 constexpr std::chrono::milliseconds kPollPeriod{50};
 constexpr char kReportFile[] = "result.yaml";
 constexpr std::chrono::seconds kReachabilityPeriod{10};
-constexpr double kConnectTimeout = 1.0;             // [s]
-constexpr char kCaptureNode[] = "/mocap_bridge: ";  ///< before what its diagnostics are of
+constexpr double kConnectTimeout = 1.0;  // [s]
 
 void say(const std::string& text) {
   std::cout << text << std::endl;
@@ -142,6 +141,7 @@ MissionClient::MissionClient(const ros::NodeHandle& nh, const ClientOptions& opt
       mission_(std::move(mission)),
       headline_(std::move(headline)),
       client_(nh_, sylph_ros::kExecuteMissionAction, false),
+      capture_findings_(nh_.getNamespace()),
       diagnostics_subscriber_(
           nh_.subscribe("/diagnostics", 10, &MissionClient::onDiagnostics, this)) {
   // The planner refuses such weights too, but nobody would hear of it before the time-out.
@@ -219,17 +219,7 @@ void MissionClient::waitForPoses(Clock::time_point deadline) {
 
 void MissionClient::onDiagnostics(const diagnostic_msgs::DiagnosticArray& diagnostics) {
   const std::lock_guard<std::mutex> lock(mutex_);
-  for (const diagnostic_msgs::DiagnosticStatus& status : diagnostics.status) {
-    // Named after their node, without the first slash; of another fleet's cameras nothing is said.
-    if (status.name.rfind(nh_.getNamespace().substr(1) + kCaptureNode, 0) != 0) {
-      continue;
-    }
-    if (status.level == diagnostic_msgs::DiagnosticStatus::OK) {
-      capture_findings_.erase(status.name);
-    } else {
-      capture_findings_[status.name] = status.name + ": " + status.message;
-    }
-  }
+  capture_findings_.note(diagnostics);
 }
 
 void MissionClient::sayFindings() {
@@ -237,7 +227,7 @@ void MissionClient::sayFindings() {
   for (const std::string& line : networkFindings()) {
     say("    " + line);
   }
-  for (const auto& [name, line] : capture_findings_) {
+  for (const std::string& line : capture_findings_.lines()) {
     say("    " + line);
   }
 }

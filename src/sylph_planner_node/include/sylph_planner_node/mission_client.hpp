@@ -9,7 +9,6 @@
 #include <chrono>
 #include <filesystem>
 #include <future>
-#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -17,6 +16,7 @@
 #include <vector>
 
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_ros/capture_findings.hpp"
 #include "sylph_ros/parameter_reader.hpp"
 #include "sylph_ros/steady_clock.hpp"
 
@@ -82,13 +82,13 @@ class MissionClient {
   sylph_msgs::ExecuteMissionGoal mission_;
   std::string headline_;
   Client client_;
-  ros::Subscriber diagnostics_subscriber_;
-  std::shared_ptr<sylph_ros::LockStep> lock_step_;  ///< null unless the lab is in lock step
-  std::atomic<bool> is_accepted_{false};            ///< the mission, by the planner
   std::mutex mutex_;
-  std::map<std::string, std::string> capture_findings_;  ///< by the name of the status
-  std::vector<std::string> network_findings_;            ///< as of the last look
-  std::future<std::vector<std::string>> reachability_;   ///< a look that is under way
+  sylph_ros::CaptureFindings capture_findings_;
+  ros::Subscriber diagnostics_subscriber_;
+  std::shared_ptr<sylph_ros::LockStep> lock_step_;      ///< null unless the lab is in lock step
+  std::atomic<bool> is_accepted_{false};                ///< the mission, by the planner
+  std::vector<std::string> network_findings_;           ///< as of the last look
+  std::future<std::vector<std::string>> reachability_;  ///< a look that is under way
   Clock::time_point reachability_asked_;
   /// When the result that stood in the run folder before this mission was written.
   std::optional<std::filesystem::file_time_type> old_result_;
