@@ -12,6 +12,10 @@
 #include <string>
 #include <vector>
 
+#include "sylph_core/grid/map_file.hpp"
+#include "sylph_core/mapf/random_instance.hpp"
+#include "sylph_core/mapf/scenario_file.hpp"
+#include "sylph_core/planners/planner.hpp"
 #include "test/support/random_weights.hpp"
 #include "test/support/temporary_folder.hpp"
 
@@ -120,6 +124,31 @@ TEST_F(CommandsTest, APlanThatIsTooLongCountsUpToTheStepLimit) {
   EXPECT_EQ(1, planned.status);
   EXPECT_NE(std::string::npos, planned.output.find("step limit, 0 of 2 agents arrived\nsteps 1,"))
       << planned.output;
+}
+
+TEST_F(CommandsTest, PlanSpendsNothingOnSocialStates) {
+  Rng rng(1);
+  const Instance crowd = randomInstance(Grid(4, 4), 8, {}, rng);
+  saveMap(crowd.grid, folder_.path("crowd.map"));
+  saveScenario(crowd, "crowd.map", folder_.path("crowd.scen"));
+  saveTensorFile(RandomWeights(smallShape(), 1).file(), folder_.path("w.safetensors"));
+  PlanningLimits limits;
+  limits.time_limit_s = 1000.0;
+  limits.first_solution_only = true;
+  const auto callsWith = [&](bool social_states) {
+    limits.social_states = social_states;
+    Rng seed(7);
+    return makePlanner("sylph_lacam", randomPolicy())
+        ->plan(crowd, limits, seed)
+        .statistics.policy_calls;
+  };
+  ASSERT_LT(callsWith(false), callsWith(true)) << "the instance tells nothing";
+  const CommandResult planned =
+      run("plan --planner sylph_lacam --weights " + folder_.path("w.safetensors") + " --map " +
+          folder_.path("crowd.map") + " --scen " + folder_.path("crowd.scen") +
+          " --agents 8 --first --seed 7 --time-limit 1000 --json");
+  ASSERT_EQ(0, planned.status) << planned.output;
+  EXPECT_EQ(callsWith(false), nlohmann::json::parse(planned.output)["policy_calls"].get<long>());
 }
 
 TEST_F(CommandsTest, TheSameSeedGivesTheSameFirstPlan) {

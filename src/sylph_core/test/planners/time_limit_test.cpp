@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@
 #include "sylph_core/mapf/random_instance.hpp"
 #include "sylph_core/planners/lacam_planner.hpp"
 #include "sylph_core/planners/planner.hpp"
+#include "sylph_core/planners/policy_guide.hpp"
 #include "sylph_core/search/distance_generator.hpp"
 #include "sylph_core/search/lacam.hpp"
 #include "sylph_core/search/path_search.hpp"
@@ -158,6 +160,28 @@ TEST(TimeLimitTest, ManyAgentsAskAtEachStep) {
   QuestionClock time;
   EXPECT_EQ(Lacam::Status::Unfinished, lacam.search(Deadline(5.0, time.clock()), 1000));
   EXPECT_LE(lacam.nodeCount(), 7);
+}
+
+TEST(TimeLimitTest, SocialStatesAreBrokenOff) {
+  const Instance instance{Grid(1, 21), {{0, 0}}, {{0, 20}}, {}};
+  const SearchProblem problem(instance);
+  std::vector<Vertices> plan;
+  for (int col = 0; col <= 20; ++col) {
+    plan.push_back({problem.graph.vertexAt({0, col})});
+  }
+  for (const GuideFactory& makeGuide :
+       {GuideFactory(makeDistanceGuide),
+        makePolicyGuideFactory(randomPolicy(), PolicyUse::Search,
+                               defaultSettings(PolicyUse::Search, false))}) {
+    // The first question tells when the time begins.
+    for (const std::size_t limit : {1, 5, 20, 100}) {
+      Rng rng(1);
+      const auto guide = makeGuide(problem, instance, 1, rng);
+      QuestionClock time;
+      const Deadline deadline(static_cast<double>(limit), time.clock());
+      EXPECT_EQ(std::min<std::size_t>(limit - 1, 20), guide->socialStates(plan, deadline).size());
+    }
+  }
 }
 
 }  // namespace

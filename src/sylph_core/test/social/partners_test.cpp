@@ -160,5 +160,20 @@ TEST(PartnersAlongPlanTest, GivesOneStatePerJointActionAndNoSvo) {
   EXPECT_TRUE(partnersAlongPlan(instance.grid, distanceIn(fields), {instance.starts}).empty());
 }
 
+TEST(PartnersAlongPlanTest, GivesTheFirstStatesWhereItIsBrokenOff) {
+  const Instance instance{Grid(1, 9), {{0, 0}}, {{0, 8}}, {}};
+  const std::vector<DistanceField> fields = fieldsOf(instance);
+  Plan plan;
+  for (int col = 0; col <= 8; ++col) {
+    plan.push_back({{0, col}});
+  }
+  for (std::size_t most = 0; most <= 9; ++most) {
+    std::size_t questions = 0;
+    const auto isOver = [&] { return questions++ == most; };
+    const auto states = partnersAlongPlan(instance.grid, distanceIn(fields), plan, isOver);
+    EXPECT_EQ(std::min<std::size_t>(most, 8), states.size());
+  }
+}
+
 }  // namespace
 }  // namespace sylph
