@@ -31,8 +31,7 @@ class SceneMaker {
         goals_(instance.goals),
         plan_(problem.graph.toPlan(demonstration.plan)),
         first_moves_(demonstration.first_moves),
-        distances_(distanceFields(instance)),
-        encoder_(instance.grid, distances_) {
+        encoder_(instance.grid, problem.distances.fields()) {
     for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
       tie_breaks_.push_back(static_cast<float>(sylph::drawFraction(rng)));
     }
@@ -40,8 +39,8 @@ class SceneMaker {
     for (AgentId agent = 0; agent < problem.agentCount(); ++agent) {
       regrets_.push_back(table.of(agent));
     }
-    const auto distance = [this](AgentId agent, const Cell& cell) {
-      return distances_[static_cast<std::size_t>(agent)].at(cell);
+    const auto distance = [&problem](AgentId agent, const Cell& cell) {
+      return problem.distances.fields()[static_cast<std::size_t>(agent)].at(cell);
     };
     social_ = sylph::partnersAlongPlan(instance.grid, distance, plan_);
   }
@@ -80,14 +79,6 @@ class SceneMaker {
   }
 
  private:
-  static std::vector<sylph::DistanceField> distanceFields(const sylph::Instance& instance) {
-    std::vector<sylph::DistanceField> fields;
-    for (const Cell& goal : instance.goals) {
-      fields.emplace_back(instance.grid, goal);
-    }
-    return fields;
-  }
-
   std::vector<Action> actionsAt(std::size_t timestep) const {
     std::vector<Action> actions;
     for (std::size_t agent = 0; agent < goals_.size(); ++agent) {
@@ -134,8 +125,7 @@ class SceneMaker {
   sylph::Plan plan_;
   std::vector<Action> first_moves_;
   std::vector<float> tie_breaks_;
-  std::vector<sylph::DistanceField> distances_;
-  sylph::ObservationEncoder encoder_;          // refers to distances_
+  sylph::ObservationEncoder encoder_;          // refers to the problem's distances
   std::vector<std::vector<Regrets>> regrets_;  // per agent and joint action
   std::vector<sylph::SocialState> social_;     // per joint action
 };

@@ -25,15 +25,6 @@ EnvironmentOptions valid(const EnvironmentOptions& options) {
   return options;
 }
 
-std::vector<sylph::DistanceField> distancesToGoals(const sylph::Instance& instance) {
-  std::vector<sylph::DistanceField> distances;
-  distances.reserve(instance.goals.size());
-  for (const sylph::Cell& goal : instance.goals) {
-    distances.emplace_back(instance.grid, goal);
-  }
-  return distances;
-}
-
 void requireCount(const char* what, std::size_t count, std::size_t expected) {
   if (count != expected) {
     throw std::invalid_argument(std::to_string(count) + " " + what + ": must be " +
@@ -57,7 +48,7 @@ Environment::Environment(sylph::Instance instance, const EnvironmentOptions& opt
                          std::vector<float> svo_deg, std::vector<float> tie_breaks)
     : instance_(valid(std::move(instance))),
       options_(valid(options)),
-      distances_(distancesToGoals(instance_)),
+      distances_(sylph::distancesTo(instance_.goals, instance_.grid)),
       states_{instance_.starts, std::vector<Action>(instance_.starts.size(), Action::Stay),
               std::move(svo_deg), std::vector<int>(instance_.starts.size(), 0),
               std::move(tie_breaks)},
