@@ -59,7 +59,7 @@ int benchmark(const Options& options) {
     }
   };
   writeCsv(sylph::toCsv({}), std::ios::trunc);  // likewise
-  sylph::ProgressBar bar((suite.planners.size() + suite.external.size()) * cases.size());
+  sylph::ProgressBar bar(sylph::entrantCount(suite) * cases.size());
   const auto runs = sylph::runBenchmark(suite, cases, policy, options.jobs,
                                         [&](const sylph::BenchmarkRun& run, std::size_t done) {
                                           writeCsv(sylph::toCsvLine(run), std::ios::app);

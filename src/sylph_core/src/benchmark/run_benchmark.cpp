@@ -62,11 +62,18 @@ std::vector<BenchmarkRun> runBenchmark(const BenchmarkSuite& suite,
                                        const std::shared_ptr<const Policy>& policy, int jobs,
                                        const BenchmarkProgress& progress) {
   std::vector<RunCase> entrants;
-  for (const std::string& name : suite.planners) {
-    const std::shared_ptr<const Planner> planner = makePlanner(name, policy);
+  const auto enter = [&](const std::shared_ptr<const Planner>& planner) {
     entrants.emplace_back([planner, &suite](const BenchmarkCase& benchmark_case) {
       return runPlanner(*planner, benchmark_case, suite.limits);
     });
+  };
+  for (const std::string& name : suite.planners) {
+    enter(makePlanner(name, policy));
+    if (needsPolicy(name)) {
+      for (const std::string& ablation : suite.ablations) {
+        enter(makePlanner(name, policy, ablation));
+      }
+    }
   }
   for (const ExternalSolver& solver : suite.external) {
     entrants.emplace_back([&](const BenchmarkCase& benchmark_case) {

@@ -145,6 +145,9 @@ BenchmarkSuite loadSuite(const std::string& path) {
   if (yaml.has("planners")) {
     suite.planners = yaml.words("planners", plannerNames());
   }
+  if (yaml.has("ablations")) {
+    suite.ablations = yaml.words("ablations", ablationNames());
+  }
   suite.limits.time_limit_s =
       yaml.number("time_limit_s", suite.limits.time_limit_s, Range::positive());
   suite.limits.max_steps =
@@ -167,6 +170,12 @@ BenchmarkSuite loadSuite(const std::string& path) {
   }
   yaml.refuseUnread();
   return suite;
+}
+
+std::size_t entrantCount(const BenchmarkSuite& suite) {
+  const auto guided = static_cast<std::size_t>(
+      std::count_if(suite.planners.begin(), suite.planners.end(), needsPolicy));
+  return suite.planners.size() + guided * suite.ablations.size() + suite.external.size();
 }
 
 std::vector<BenchmarkCase> makeCases(const BenchmarkSuite& suite) {

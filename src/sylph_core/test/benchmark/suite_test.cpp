@@ -7,6 +7,7 @@
 
 #include "sylph_core/benchmark/run_benchmark.hpp"
 #include "sylph_core/text/join.hpp"
+#include "test/support/random_weights.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph {
@@ -74,7 +75,8 @@ TEST_F(SuiteTest, FewerAgentsAreTheFirstOfMore) {
 
 TEST_F(SuiteTest, NamesTheFieldThatIsWrong) {
   expectRefused(
-      ":1: planner: unknown key, must be one of planners, time_limit_s, max_steps, first, "
+      ":1: planner: unknown key, must be one of planners, ablations, time_limit_s, max_steps, "
+      "first, "
       "rotations, external, families",
       "planners", "planner");
   expectRefused(":2: time_limit_s: is '0', must be a number > 0", "s: 2", "s: 0");
@@ -152,6 +154,19 @@ TEST_F(SuiteTest, PlannersTakeTurnsAndRunsComeInOrder) {
                    [&](const BenchmarkRun& run, std::size_t) { ended.push_back(nameOf(run)); });
   EXPECT_EQ("pibt1, lacam1, pibt2, lacam2", join(ended));
   EXPECT_EQ("pibt1, pibt2, lacam1, lacam2", join(runs, ", ", nameOf));
+}
+
+TEST_F(SuiteTest, PolicyGuidedPlannersRunWithEachAblation) {
+  BenchmarkSuite suite = loadSuite(
+      write("planners: [pibt, sylph]\nablations: [random_svo_per_step, svo_by_priority]\n"
+            "max_steps: 5\nfamilies: [{name: s, agents: [2], map: a.map, scenarios: [a.scen]}]\n"));
+  const auto runs = runBenchmark(suite, makeCases(suite), randomPolicy(), 1,
+                                 [](const BenchmarkRun&, std::size_t) {});
+  EXPECT_EQ("pibt, sylph, sylph/random_svo_per_step, sylph/svo_by_priority",
+            join(runs, ", ", [](const BenchmarkRun& run) { return run.planner; }));
+  EXPECT_EQ(runs.size(), entrantCount(suite));
+  expectRefused(":1: ablations: has 'no_svo', each must be one of " + join(ablationNames()),
+                "planners: [pibt, lacam]", "ablations: [no_svo]");
 }
 
 BenchmarkRun exampleRun(int instance_number, bool is_solved, long sum_of_costs, double first_s) {

@@ -28,8 +28,9 @@ struct BenchmarkRun {
 /// Told of a run that is over, and of how many are.
 using BenchmarkProgress = std::function<void(const BenchmarkRun&, std::size_t)>;
 
-/// Runs every planner and external solver of a suite on every case, by turns: all of them on one
-/// case before the next one, so that a computer that grows slower does so for all of them.
+/// Runs every planner, its ablations and external solvers of a suite on every case, by turns: all
+/// of them on one case before the next one, so that a computer that grows slower does so for all of
+/// them.
 ///
 /// With external solvers each run keeps to one CPU, planners and solvers alike, however many
 /// threads they have: the first that the calling thread may use (taskset(1) sets which these are),

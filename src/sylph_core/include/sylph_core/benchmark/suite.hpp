@@ -35,6 +35,7 @@ struct BenchmarkFamily {
 /// What sylph_benchmark runs.
 struct BenchmarkSuite {
   std::vector<std::string> planners;      ///< names, as makePlanner() takes them
+  std::vector<std::string> ablations;     ///< of the policy-guided ones, see ablationNames()
   std::vector<ExternalSolver> external;   ///< what runs on the same cases
   PlanningLimits limits;                  ///< of each run
   MotionModel motion;                     ///< of all instances
@@ -56,9 +57,9 @@ struct BenchmarkCase {
 ///     max_steps: 10000
 ///     first: false
 ///     rotations: false
+///     ablations: [random_svo_per_step]  # policy-guided planners run with each as well
 ///     external:                # programs that run on the same cases
-///       - {name: lacam3, command: "build/main -m {map} -i {scen} -N {agents} -t {seconds} -o
-///       {plan}",
+///       - {name: lacam3, command: "main -m {map} -i {scen} -N {agents} -t {seconds} -o {plan}",
 ///          plan_format: lacam, grace_s: 5}
 ///     families:                # required, one or more, of either kind
 ///       - {name: rooms, agents: [100, 200], instances: 20, seed: 1,
@@ -70,6 +71,9 @@ struct BenchmarkCase {
 ///
 /// @throws std::runtime_error with one line: file, line, field, what is wrong, what is allowed
 BenchmarkSuite loadSuite(const std::string& path);
+
+/// How many run on each case: planners, their ablations, external solvers.
+std::size_t entrantCount(const BenchmarkSuite& suite);
 
 /// Every case of a suite: families in order, instances in order, numbers of agents in order.
 /// @throws std::runtime_error if a map or a scenario cannot be used, as its reader
