@@ -16,6 +16,7 @@
 #include "sylph_core/mapf/random_instance.hpp"
 #include "sylph_core/mapf/scenario_file.hpp"
 #include "sylph_core/planners/planner.hpp"
+#include "test/support/ended_process.hpp"
 #include "test/support/random_weights.hpp"
 #include "test/support/temporary_folder.hpp"
 
@@ -380,6 +381,21 @@ TEST_F(CommandsTest, BenchmarkRunsExternalSolversOnTheSameCases) {
             failed.output.find("sylph_benchmark: other on stored, instance 0, 2 agents: no plan, "
                                "exit status 9; its last lines: out of ideas\n"))
       << failed.output;
+}
+
+TEST_F(CommandsTest, AnExternalSolverEndsWithTheBenchmark) {
+  namespace fs = std::filesystem;
+  fs::permissions(folder_.write("solver", "#!/bin/sh\necho $$ > pid\nexec sleep 1000\n"),
+                  fs::perms::owner_all);
+  const std::string suite = folder_.write(
+      "suite.yaml",
+      "first: true\ntime_limit_s: 1000\nexternal: [{name: a, command: \"./solver {plan}\"}]\n"
+      "families: [{name: a, agents: [1], map: a.map, scenarios: [a.scen]}]\n");
+  const std::string pid = folder_.path("pid");
+  // The signal is for the benchmark alone, as Ctrl-C in a terminal is.
+  runLine("(cd " + folder_.path("") + "; TMPDIR=$PWD " + COMMANDS_DIR + "/sylph_benchmark " +
+          suite + " & until [ -s pid ] || ! kill -0 $!; do sleep 0.01; done; kill $!; wait $!)");
+  EXPECT_TRUE(endsSoon(pid));
 }
 
 TEST_F(CommandsTest, BadSuitesAreOneLineAndStatusTwo) {

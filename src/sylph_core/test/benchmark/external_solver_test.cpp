@@ -2,16 +2,13 @@
 
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <string>
-#include <thread>
 
 #include "sylph_core/grid/map_file.hpp"
 #include "sylph_core/mapf/scenario_file.hpp"
+#include "test/support/ended_process.hpp"
 #include "test/support/temporary_folder.hpp"
 
 namespace sylph {
@@ -20,25 +17,6 @@ namespace {
 const Instance kInstance = {
     Grid::fromText("..#\n...\n"), {{0, 0}, {1, 2}}, {{0, 1}, {1, 1}}, MotionModel()};
 const char kWritesPlan[] = "printf '0: (0,0) (1,2)\\n1: (0,1) (1,1)\\n' > \"$1\"\n";
-
-std::string contentOf(const std::string& path) {
-  std::ifstream file(path);
-  return {std::istreambuf_iterator<char>(file), {}};
-}
-
-/// Whether a process has ended, reaped or not.
-bool hasEnded(const std::string& process) {
-  const std::string stat = contentOf("/proc/" + process + "/stat");
-  return stat.empty() || stat.find(") Z ") != std::string::npos;
-}
-
-bool endsSoon(const std::string& process) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-  while (!hasEnded(process) && std::chrono::steady_clock::now() < deadline) {
-    std::this_thread::yield();
-  }
-  return hasEnded(process);
-}
 
 class ExternalSolverTest : public ::testing::Test {
  protected:
@@ -167,14 +145,14 @@ TEST_F(ExternalSolverTest, IsKilledWithAllThatItStartedWhenItDoesNotEnd) {
   const SolverAnswer answer = solve(hangs, kInstance, 7, 0.5);
   EXPECT_EQ(RunOutcome::TimeLimit, answer.outcome);
   EXPECT_GE(answer.seconds, 1.0);
-  EXPECT_TRUE(endsSoon(std::to_string(std::stoi(contentOf(folder_.path("child"))))));
+  EXPECT_TRUE(endsSoon(folder_.path("child")));
 }
 
 TEST_F(ExternalSolverTest, WhatItLeavesRunningIsKilled) {
   const SolverAnswer answer =
       answerOf(solver("sleep 1000 & echo $! > child\n" + std::string(kWritesPlan)));
   EXPECT_EQ(RunOutcome::Solved, answer.outcome);
-  EXPECT_TRUE(endsSoon(std::to_string(std::stoi(contentOf(folder_.path("child"))))));
+  EXPECT_TRUE(endsSoon(folder_.path("child")));
 }
 
 }  // namespace
