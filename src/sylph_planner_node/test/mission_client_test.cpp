@@ -4,13 +4,12 @@
 #include <ros/master.h>
 
 #include <atomic>
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <future>
 #include <string>
 
 #include "planner_fixture.hpp"
+#include "sylph_core/files/scratch_folder.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_planner_node {
@@ -22,14 +21,12 @@ class MissionClientTest : public PlannerFixture {
  protected:
   void SetUp() override {
     PlannerFixture::SetUp();
-    std::string folder = (std::filesystem::temp_directory_path() / "sylph_mission_XXXXXX").string();
-    ASSERT_NE(nullptr, mkdtemp(folder.data()));
-    folder_ = folder;
-    std::ofstream(folder_ / "result.yaml") << "arrived: 3\n";
-    ros::NodeHandle("/sylph").setParam(sylph_ros::kRunFolderParameter, folder_.string());
+    const std::filesystem::path result = writeResult();
+    ros::NodeHandle("/sylph").setParam(sylph_ros::kRunFolderParameter,
+                                       result.parent_path().string());
   }
 
-  void TearDown() override { std::filesystem::remove_all(folder_); }
+  std::string writeResult() const { return folder_.write("result.yaml", "arrived: 3\n"); }
 
   /// @param mission  fails
   static std::string saidBy(MissionClient& mission) {
@@ -38,16 +35,16 @@ class MissionClientTest : public PlannerFixture {
     return testing::internal::GetCapturedStdout();
   }
 
-  std::filesystem::path folder_;
+  sylph::ScratchFolder folder_{"sylph_mission"};
   MissionClient mission_{ros::NodeHandle("/sylph"), ros::NodeHandle("~client")};
 };
 
 TEST_F(MissionClientTest, RunsTheExperimentAndSaysHowItEnded) {
   testing::internal::CaptureStdout();
-  std::filesystem::remove(folder_ / "result.yaml");
+  std::filesystem::remove(folder_.path("result.yaml"));
   auto has_succeeded = std::async(std::launch::async, [this] { return mission_.run(); });
   EXPECT_TRUE(waitForPhase(AdgState::FINISHED));
-  std::ofstream(folder_ / "result.yaml") << "arrived: 3\n";
+  writeResult();
   EXPECT_TRUE(has_succeeded.get());
   const std::string said = testing::internal::GetCapturedStdout();
   EXPECT_EQ(0U, said.find("experiment small_lab: 3 robots, seed 0, planner lacam\n")) << said;

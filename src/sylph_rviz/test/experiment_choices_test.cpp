@@ -2,14 +2,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "sylph_core/files/scratch_folder.hpp"
 
 namespace sylph_rviz {
 namespace {
-
-namespace fs = std::filesystem;
 
 constexpr char kMap[] = "type octile\nheight 2\nwidth 3\nmap\n...\n...\n";
 constexpr char kWideMap[] = "type octile\nheight 2\nwidth 4\nmap\n....\n....\n";
@@ -18,17 +18,11 @@ constexpr char kWideMap[] = "type octile\nheight 2\nwidth 4\nmap\n....\n....\n";
 class ExperimentChoicesTest : public ::testing::Test {
  protected:
   ExperimentChoicesTest() {
-    std::string name = (fs::temp_directory_path() / "choices_XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-    write("lab.map", kMap);
-    write("wide.map", kWideMap);
+    folder_.write("lab.map", kMap);
+    folder_.write("wide.map", kWideMap);
     experiment("lab", "lab.map", 0.3, {"alpha", "beta"});
   }
-  ~ExperimentChoicesTest() override { fs::remove_all(folder_); }
 
-  void write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-  }
   void experiment(const std::string& name, const std::string& map, double cell_size_m,
                   const std::vector<std::string>& robots) const {
     std::string text = "map: " + map + "\ncell_size_m: " + std::to_string(cell_size_m) +
@@ -36,17 +30,17 @@ class ExperimentChoicesTest : public ::testing::Test {
     for (const std::string& robot : robots) {
       text += "  - {name: " + robot + "}\n";
     }
-    write(name + ".yaml", text);
+    folder_.write(name + ".yaml", text);
   }
-  std::string lab() const { return (folder_ / "lab.yaml").string(); }
+  std::string lab() const { return folder_.path("lab.yaml"); }
 
-  fs::path folder_;
+  sylph::ScratchFolder folder_{"choices"};
 };
 
 TEST_F(ExperimentChoicesTest, AreTheLabsOwnFirstAndThenTheOthersByName) {
   experiment("b", "lab.map", 0.3, {"beta"});
   experiment("a", "lab.map", 0.3, {"alpha"});
-  write("map.yaml", "image: lab.png\n");
+  folder_.write("map.yaml", "image: lab.png\n");
   const auto choices = experimentChoices(lab());
   ASSERT_EQ(3U, choices.size()) << "a map's file is no experiment";
   EXPECT_EQ("lab", choices[0].name);
@@ -67,7 +61,7 @@ TEST_F(ExperimentChoicesTest, SayWhyOneDoesNotFitTheLab) {
 }
 
 TEST_F(ExperimentChoicesTest, ThrowsIfTheLabsOwnIsNone) {
-  EXPECT_THROW(experimentChoices((folder_ / "nothing.yaml").string()), std::runtime_error);
+  EXPECT_THROW(experimentChoices(folder_.path("nothing.yaml")), std::runtime_error);
 }
 
 }  // namespace
