@@ -16,6 +16,7 @@
 
 #include "sylph_core/text/join.hpp"
 #include "sylph_planner_node/mission_text.hpp"
+#include "sylph_planner_node/planner_watch.hpp"
 #include "sylph_ros/experiment.hpp"
 #include "sylph_ros/missions.hpp"
 #include "sylph_ros/parameters.hpp"
@@ -116,7 +117,8 @@ ClientOptions readClientOptions(sylph_ros::ParameterReader& reader) {
   reader.read("exit_when_done", options.exit_when_done,
               "false: keeps running after the result, so that what was launched beside it stays");
   reader.read("start_timeout_s", options.start_timeout_s, positive,
-              "wall time that it waits for the planner and for each robot's pose");
+              "wall time that it waits for the planner, also for one that hangs, and for each "
+              "robot's pose");
   reader.read("progress_period_s", options.progress_period_s, positive,
               "wall time between two progress lines when nothing changes");
   reader.read("report_wait_s", options.report_wait_s, positive,
@@ -259,15 +261,10 @@ void MissionClient::sendMission() {
 }
 
 void MissionClient::waitForResult() {
-  Clock::time_point heard = Clock::now();
+  const PlannerWatch planner(nh_, sylph_ros::kExecuteMissionAction, options_.start_timeout_s,
+                             "; the robots finish the plan that they have");
   while (ros::ok()) {
-    if (client_.isServerConnected()) {
-      heard = Clock::now();
-    } else if (Clock::now() - heard > seconds(options_.start_timeout_s)) {
-      throw std::runtime_error("the planner is gone: nobody serves the action " +
-                               nh_.resolveName(sylph_ros::kExecuteMissionAction) +
-                               " any more; the robots finish the plan that they have");
-    }
+    planner.requireAlive(client_.isServerConnected());
     const auto state = client_.getState();
     if (state == actionlib::SimpleClientGoalState::LOST) {
       if (!client_.isServerConnected()) {

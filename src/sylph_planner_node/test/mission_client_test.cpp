@@ -2,14 +2,20 @@
 
 #include <gtest/gtest.h>
 #include <ros/master.h>
+#include <sylph_msgs/TaskReport.h>
 
 #include <atomic>
 #include <filesystem>
+#include <functional>
 #include <future>
+#include <memory>
+#include <stdexcept>
 #include <string>
 
+#include "fake_planner.hpp"
 #include "planner_fixture.hpp"
 #include "sylph_core/files/scratch_folder.hpp"
+#include "sylph_ros/missions.hpp"
 #include "sylph_ros/topics.hpp"
 
 namespace sylph_planner_node {
@@ -33,6 +39,24 @@ class MissionClientTest : public PlannerFixture {
     testing::internal::CaptureStdout();
     EXPECT_FALSE(mission.run());
     return testing::internal::GetCapturedStdout();
+  }
+
+  /// What a mission throws whose planner serves the action `planner` below /sylph.
+  /// @param meanwhile  called while it runs
+  static std::string failureWith(
+      const std::string& planner, const std::function<void()>& meanwhile = [] {}) {
+    ClientOptions options;
+    options.start_timeout_s = 2.0;
+    const ros::NodeHandle nh("/sylph", {{sylph_ros::kExecuteMissionAction, planner}});
+    MissionClient mission(nh, options, sylph::smallLab(), sylph_ros::toGoal(sylph::smallLab()), "");
+    auto has_succeeded = std::async(std::launch::async, [&mission] { return mission.run(); });
+    meanwhile();
+    try {
+      has_succeeded.get();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "none";
   }
 
   sylph::ScratchFolder folder_{"sylph_mission"};
@@ -120,6 +144,47 @@ TEST_F(MissionClientTest, NamesANodeThatIsRegisteredByANameWhichThisComputerDoes
   again[1] = request[1];
   again[2] = request[3];
   EXPECT_TRUE(ros::master::execute("unregisterPublisher", again, response, payload, false));
+}
+
+TEST_F(MissionClientTest, NamesANamespaceInWhichARobotReportsInstead) {
+  central_.silencePoseOf("robot_1");
+  ros::Publisher elsewhere =
+      ros::NodeHandle().advertise<sylph_msgs::TaskReport>("/other_lab/robot_1/task_report", 1);
+  const ros::NodeHandle options("~patient");
+  options.setParam("start_timeout_s", 2.0);
+  options.setParam("progress_period_s", 0.2);
+  MissionClient patient(ros::NodeHandle("/sylph"), options);
+  const std::string said = saidBy(patient);
+  EXPECT_NE(std::string::npos,
+            said.find("    robot_1 reports on /other_lab/robot_1/task_report, and is waited for on "
+                      "/robot_1/task_report: is ROS_NAMESPACE set on one side only?\n"))
+      << said;
+}
+
+TEST_F(MissionClientTest, EndsWithoutAPlanner) {
+  EXPECT_EQ("no planner: nobody serves the action /sylph/nobody/serves_this",
+            failureWith("nobody/serves_this"));
+}
+
+TEST_F(MissionClientTest, EndsWhenThePlannerIsGone) {
+  auto planner = std::make_unique<FakePlanner>("/sylph/fake/execute_mission");
+  const std::string failure = failureWith("fake/execute_mission", [&planner] {
+    EXPECT_TRUE(waitUntil([&planner] { return planner->hasGoal(); }));
+    planner.reset();
+  });
+  EXPECT_EQ(
+      "the planner is gone: nobody serves the action /sylph/fake/execute_mission any more; the "
+      "robots finish the plan that they have",
+      failure);
+}
+
+TEST_F(MissionClientTest, EndsWhenThePlannerHangs) {
+  const FakePlanner planner("/sylph/fake/execute_mission");
+  EXPECT_EQ(
+      "the planner hangs: no status of the action /sylph/fake/execute_mission for 2 s, or the "
+      "lab's time stands still; the robots finish the plan that they have",
+      failureWith("fake/execute_mission"));
+  EXPECT_TRUE(planner.hasGoal());
 }
 
 TEST_F(MissionClientTest, GivesAPlannerThatWasStartedAgainTheMissionAnew) {

@@ -25,8 +25,9 @@ namespace sylph_planner_node {
 /// Parameters of sylph_mission besides those of sylph_ros::loadExperiment().
 struct ClientOptions {
   bool exit_when_done = true;     ///< false: keeps running after the result, so that the rest stays
-  double start_timeout_s = 60.0;  ///< wall time for action server and poses to appear; without
-                                  ///< poses the planner is asked all the same
+  double start_timeout_s = 60.0;  ///< wall time for action server and poses to appear and for the
+                                  ///< server's silence; without poses the planner is asked all
+                                  ///< the same
   double progress_period_s = 2.0;  ///< wall time between progress lines when nothing changes
   double report_wait_s = 5.0;      ///< wall time for result.yaml to be written
 };
@@ -48,7 +49,7 @@ class MissionClient {
 
   /// Runs the whole mission. Callbacks must be served by another thread.
   /// @return whether all robots have arrived
-  /// @throws std::runtime_error if the planner does not appear in time or does not come back
+  /// @throws std::runtime_error if the planner does not appear in time, does not come back or hangs
   bool run();
 
   /// Whether the command ends with the mission.
