@@ -16,6 +16,7 @@
 #include "sylph_planner_node/mission_client.hpp"
 #include "sylph_planner_node/mission_request.hpp"
 #include "sylph_planner_node/mission_text.hpp"
+#include "sylph_planner_node/planner_watch.hpp"
 #include "sylph_ros/missions.hpp"
 #include "sylph_ros/plan_messages.hpp"
 #include "sylph_ros/topics.hpp"
@@ -98,15 +99,10 @@ int SendCommand::showPlan(const sylph_msgs::ExecuteMissionGoal& goal) {
     kPollPeriod.sleep();
   }
   std::cout << "planning for up to " << goal.time_limit_s << " s" << std::endl;
+  const PlannerWatch watch(nh_, sylph_ros::kPlanMissionAction, request_.wait_s);
   planner.sendGoal(goal);
-  ros::WallTime heard = ros::WallTime::now();
   while (ros::ok() && !planner.getState().isDone()) {
-    if (planner.isServerConnected()) {
-      heard = ros::WallTime::now();
-    } else if ((ros::WallTime::now() - heard).toSec() > request_.wait_s) {
-      throw std::runtime_error("the planner is gone: nobody serves the action " +
-                               nh_.resolveName(sylph_ros::kPlanMissionAction) + " any more");
-    }
+    watch.requireAlive(planner.isServerConnected());
     kPollPeriod.sleep();
   }
   const auto result = planner.getResult();

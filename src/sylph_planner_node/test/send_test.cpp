@@ -5,11 +5,19 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <functional>
+#include <future>
+#include <memory>
+#include <stdexcept>
 #include <string>
+#include <utility>
 
+#include "fake_planner.hpp"
 #include "planner_fixture.hpp"
 #include "sylph_core/experiment/experiment.hpp"
+#include "sylph_planner_node/send_command.hpp"
 #include "sylph_ros/missions.hpp"
+#include "sylph_ros/topics.hpp"
 
 namespace sylph_planner_node {
 namespace {
@@ -40,6 +48,26 @@ class SendTest : public PlannerFixture {
   sylph::Cell cellOf(std::size_t robot) const {
     const sylph_msgs::Cell cell = central_.state().robots.at(robot).cell;
     return {cell.row, cell.col};
+  }
+
+  /// What `--plan-only --wait 2` throws if `planner` below /sylph is the action that plans.
+  /// @param meanwhile  called while it runs
+  static std::string failureOfPlanningWith(
+      const std::string& planner, const std::function<void()>& meanwhile = [] {}) {
+    SendRequest request;
+    request.goals = readGoals({"robot_0:=2,1"}, sylph::smallLab());
+    request.plan_only = true;
+    request.wait_s = 2.0;
+    const ros::NodeHandle nh("/sylph", {{sylph_ros::kPlanMissionAction, planner}});
+    SendCommand command(nh, sylph::smallLab(), request);
+    auto status = std::async(std::launch::async, [&command] { return command.run(); });
+    meanwhile();
+    try {
+      status.get();
+    } catch (const std::runtime_error& error) {
+      return error.what();
+    }
+    return "none";
   }
 };
 
@@ -147,6 +175,33 @@ TEST_F(SendTest, ShowsAPlanAndMovesNothing) {
             outcome.said.find("  robot_0 (0,0) to (2,1): 3 moves, arrives at step 3\n"))
       << outcome.said;
   EXPECT_TRUE(central_.received().empty());
+}
+
+TEST_F(SendTest, EndsWithoutAPlanner) {
+  const std::string nobody = "no planner: nobody serves the action /nobody/sylph/execute_mission\n";
+  const ros::NodeHandle suite("/nobody/sylph");
+  suite.setParam("experiment", sylph::smallLab().path);
+  const Outcome outcome = send("--wait 1 robot_0:=2,1 __ns:=/nobody");
+  suite.deleteParam("experiment");
+  EXPECT_EQ(std::make_pair(1, "sylph_send: " + nobody),
+            std::make_pair(outcome.status, outcome.said));
+  EXPECT_EQ("no planner: nobody serves the action /sylph/nobody/plans",
+            failureOfPlanningWith("nobody/plans"));
+}
+
+TEST_F(SendTest, EndsWhenThePlannerIsGoneOrHangs) {
+  auto planner = std::make_unique<FakePlanner>("/sylph/fake/plan_mission");
+  EXPECT_EQ(
+      "the planner hangs: no status of the action /sylph/fake/plan_mission for 2 s, or the lab's "
+      "time stands still",
+      failureOfPlanningWith("fake/plan_mission"));
+  planner = std::make_unique<FakePlanner>("/sylph/fake/plan_mission");
+  const std::string failure = failureOfPlanningWith("fake/plan_mission", [&planner] {
+    EXPECT_TRUE(waitUntil([&planner] { return planner->hasGoal(); }));
+    planner.reset();
+  });
+  EXPECT_EQ("the planner is gone: nobody serves the action /sylph/fake/plan_mission any more",
+            failure);
 }
 
 TEST_F(SendTest, SavesTheMissionAsAnExperiment) {
