@@ -1,5 +1,6 @@
 #include "sylph_rviz/operator_link.hpp"
 
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <nav_msgs/OccupancyGrid.h>
 #include <ros/master.h>
 #include <ros/service.h>
@@ -54,7 +55,8 @@ OperatorLink::OperatorLink(const ros::NodeHandle& suite_nh)
       markers_(suite_nh),
       pause_(suite_nh, sylph_ros::kPauseService, kServiceTimeoutS),
       resume_(suite_nh, sylph_ros::kResumeService, kServiceTimeoutS),
-      stop_(suite_nh, sylph_ros::kStopService, kServiceTimeoutS) {
+      stop_(suite_nh, sylph_ros::kStopService, kServiceTimeoutS),
+      capture_findings_(suite_nh.getNamespace()) {
   nh_.setCallbackQueue(&queue_);
   client_ = std::make_unique<Client>(nh_, sylph_ros::kExecuteMissionAction, false);
   subscribers_.push_back(nh_.subscribe(sylph_ros::kAdgStateTopic, 1, &OperatorLink::onState, this));
@@ -75,6 +77,12 @@ OperatorLink::OperatorLink(const ros::NodeHandle& suite_nh)
       sylph_ros::kReplayExtentTopic, 1, [this](const sylph_msgs::ReplayExtent::ConstPtr& extent) {
         const std::lock_guard<std::mutex> lock(mutex_);
         model_.onReplayExtent(*extent);
+      }));
+  subscribers_.push_back(nh_.subscribe<diagnostic_msgs::DiagnosticArray>(
+      "/diagnostics", 10, [this](const diagnostic_msgs::DiagnosticArray::ConstPtr& diagnostics) {
+        capture_findings_.note(*diagnostics);
+        const std::lock_guard<std::mutex> lock(mutex_);
+        model_.setCaptureFindings(capture_findings_.lines());
       }));
   seek_ = nh_.advertise<std_msgs::Float64>(sylph_ros::kReplaySeekTopic, 1);
   // Of the action's topics and not of its client, so that missions of others are seen, too.

@@ -193,6 +193,17 @@ void OperatorModel::addMessage(OperatorView& view, double steady_s) const {
     view.message = sylph_ros::outcomeName(result_->outcome) + ": " + result_->message;
     view.is_alarm = result_->outcome != sylph_msgs::ExecuteMissionResult::SUCCESS;
   }
+  addCaptureFindings(view, steady_s);
+}
+
+/// Without poses there is no plan: the mission has not even been sent while they are waited for.
+void OperatorModel::addCaptureFindings(OperatorView& view, double steady_s) const {
+  const bool has_plan = hasState(steady_s) && isBusy(*scene_.state);
+  if (capture_findings_.empty() || has_plan || source_ == Source::Replay) {
+    return;
+  }
+  view.is_alarm = view.is_alarm || view.message.empty();
+  view.message += (view.message.empty() ? "" : "; ") + sylph::join(capture_findings_, "; ");
 }
 
 void OperatorModel::addCommands(OperatorView& view, double steady_s) const {

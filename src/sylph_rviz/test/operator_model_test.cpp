@@ -256,6 +256,26 @@ TEST_F(OperatorModelTest, ShowsThePlannersPhaseAndHowTheMissionEnded) {
   EXPECT_EQ("", view.start);
 }
 
+TEST_F(OperatorModelTest, TellsWhatTheMotionCaptureLacksWhileThereIsNoPlan) {
+  const std::string finding = "sylph/mocap_bridge: link: no frame from 192.168.1.2";
+  state.phase = AdgState::IDLE;
+  hear();
+  model.setCaptureFindings({finding});
+  EXPECT_EQ(finding, model.view(0.0, 0.0).message);
+  EXPECT_TRUE(model.view(0.0, 0.0).is_alarm);
+  sylph_msgs::ExecuteMissionFeedback feedback;
+  feedback.waiting = {"no pose of robot_1 has come"};
+  model.onFeedback(feedback, 0.0);
+  EXPECT_EQ("no pose of robot_1 has come; " + finding, model.view(0.0, 0.0).message);
+  state.phase = AdgState::EXECUTING;
+  hear();
+  EXPECT_EQ("", model.view(0.0, 0.0).message);
+  state.phase = AdgState::IDLE;
+  hear();
+  model.setSource(Source::Replay, false);
+  EXPECT_EQ("no pose of robot_1 has come", model.view(0.0, 0.0).message);
+}
+
 TEST(DurationTextTest, SpeaksOfMinutesAboveOne) {
   EXPECT_EQ("4.2 s", durationText(4.2));
   EXPECT_EQ("3 min 05 s", durationText(185.0));

@@ -1,6 +1,7 @@
 #include "sylph_rviz/operator_panel.hpp"
 
 #include <actionlib/server/simple_action_server.h>
+#include <diagnostic_msgs/DiagnosticArray.h>
 #include <gtest/gtest.h>
 #include <ros/ros.h>
 #include <std_msgs/Float64.h>
@@ -101,6 +102,24 @@ TEST_F(OperatorPanelTest, GoesOnWhileAServiceDoesNotAnswer) {
   EXPECT_TRUE(waitUntil([&] { return label("outcome") == "pause: no answer for 2 s"; }))
       << label("outcome");
   end.set_value();
+}
+
+TEST_F(OperatorPanelTest, TellsWhatTheMotionCaptureOfItsFleetLacks) {
+  startCentral([] {});  // without its services the panel takes it for a replay
+  ros::Publisher publisher =
+      ros::NodeHandle().advertise<diagnostic_msgs::DiagnosticArray>("/diagnostics", 1);
+  diagnostic_msgs::DiagnosticArray diagnostics;
+  diagnostics.status.resize(2);
+  diagnostics.status[0].name = "other/sylph/mocap_bridge: link";
+  diagnostics.status[0].level = diagnostic_msgs::DiagnosticStatus::ERROR;
+  diagnostics.status[1] = diagnostics.status[0];
+  diagnostics.status[1].name = "sylph/mocap_bridge: link";
+  diagnostics.status[1].message = "no frame from 192.168.1.2";
+  state_.phase = sylph_msgs::AdgState::IDLE;
+  EXPECT_TRUE(waitUntil([&] {
+    publisher.publish(diagnostics);
+    return label("message") == "sylph/mocap_bridge: link: no frame from 192.168.1.2";
+  })) << label("message");
 }
 
 TEST_F(OperatorPanelTest, TellsThatNobodyOffersAService) {

@@ -18,6 +18,7 @@
 #include <thread>
 #include <vector>
 
+#include "sylph_ros/capture_findings.hpp"
 #include "sylph_rviz/experiment_choices.hpp"
 #include "sylph_rviz/goal_markers.hpp"
 #include "sylph_rviz/layer_history.hpp"
@@ -116,7 +117,8 @@ class OperatorLink {
   TriggerCall pause_;
   TriggerCall resume_;
   TriggerCall stop_;
-  std::unique_ptr<TriggerCall> confirm_pose_;  ///< of the robot that was confirmed last
+  sylph_ros::CaptureFindings capture_findings_;  ///< of the thread that serves callbacks
+  std::unique_ptr<TriggerCall> confirm_pose_;    ///< of the robot that was confirmed last
   std::future<void> start_;
   std::future<void> save_;
   std::atomic<bool> is_ending_{false};

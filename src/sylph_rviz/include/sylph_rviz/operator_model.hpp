@@ -102,6 +102,8 @@ class OperatorModel {
   void onPlan(sylph::MissionPlan plan) { scene_.plan = std::move(plan); }
   /// The planner says how far it is, at `steady_s` [s].
   void onFeedback(const sylph_msgs::ExecuteMissionFeedback& feedback, double steady_s);
+  /// What the motion capture lacks, one line each.
+  void setCaptureFindings(std::vector<std::string> lines) { capture_findings_ = std::move(lines); }
   /// The robot that the operator looks at; empty: none.
   void select(const std::string& robot) { scene_.selected = robot; }
   /// A mission has ended.
@@ -126,6 +128,7 @@ class OperatorModel {
   bool isUnderWay(double steady_s) const;
   std::string headline(double steady_s) const;
   void addMessage(OperatorView& view, double steady_s) const;
+  void addCaptureFindings(OperatorView& view, double steady_s) const;
   void addCommands(OperatorView& view, double steady_s) const;
   Refusal goalRefusal(double steady_s) const;
   void addGoals(OperatorView& view, double steady_s) const;
@@ -141,6 +144,7 @@ class OperatorModel {
   std::map<std::string, double> pose_stamps_s_;
   std::optional<sylph_msgs::ExecuteMissionFeedback> feedback_;
   double feedback_heard_s_ = 0.0;
+  std::vector<std::string> capture_findings_;
   std::optional<sylph_msgs::ReplayExtent> replay_extent_;
   std::optional<sylph_msgs::ExecuteMissionResult> result_;
 };
