@@ -45,7 +45,7 @@ RobotDecision decide(const RobotSituation& situation, const SupervisorLimits& li
   if (std::abs(situation.heading_error_rad) > limits.heading_correction_rad &&
       !situation.is_aligning) {
     return stop(situation, format("heading is %.0f deg off: turn it by hand",
-                                  situation.heading_error_rad * 180.0 / M_PI));
+                                  std::abs(situation.heading_error_rad) * 180.0 / M_PI));
   }
   if (*situation.central_silence_s > limits.central_timeout_s) {
     const std::string detail =

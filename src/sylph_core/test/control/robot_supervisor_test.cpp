@@ -94,7 +94,7 @@ TEST(RobotSupervisorTest, ADisplacedRobotWaitsForTheOperator) {
 TEST(RobotSupervisorTest, ATurnedRobotWaitsForTheOperator) {
   RobotSituation situation = driving();
   situation.heading_error_rad = -1.5708;
-  expectStop(situation, RobotState::Holding, "-90 deg off");
+  expectStop(situation, RobotState::Holding, "heading is 90 deg off: turn it by hand");
   situation.heading_error_rad = 0.2;
   EXPECT_EQ(Permission::Drive, decideAbout(situation).permission);
 }
