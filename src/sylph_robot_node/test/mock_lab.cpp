@@ -58,6 +58,9 @@ void MockLab::step() {
     state.header.stamp = ros::Time::now();
     state.mode = mode_;
     state.executed_plan_id = executed_plan_id_;
+    state.robots.resize(1);
+    state.robots[0].robot_id = "robot_0";
+    state.robots[0].aligning = static_cast<std::uint8_t>(aligning_on_);
     state_publisher_.publish(state);
     ++states_;
   }
@@ -109,6 +112,16 @@ void MockLab::setCameraOffset(double offset_m) {
 void MockLab::setCentral(bool on) {
   const std::lock_guard<std::mutex> lock(mutex_);
   central_on_ = on;
+}
+
+void MockLab::turn(double angle_rad) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  pose_.yaw_rad += angle_rad;
+}
+
+void MockLab::setAligning(bool on) {
+  const std::lock_guard<std::mutex> lock(mutex_);
+  aligning_on_ = on;
 }
 
 sylph_msgs::TaskReport MockLab::report() const {

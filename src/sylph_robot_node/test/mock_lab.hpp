@@ -33,6 +33,10 @@ class MockLab {
   /// Adds to x of what the cameras tell [m].
   void setCameraOffset(double offset_m);
   void setCentral(bool on);
+  /// The base stands turned from now on.
+  void turn(double angle_rad);
+  /// Whether the central node wants the robot to be aligned.
+  void setAligning(bool on);
 
   sylph_msgs::TaskReport report() const;
   geometry_msgs::Twist command() const;
@@ -69,6 +73,7 @@ class MockLab {
   bool cameras_on_ = true;
   double camera_offset_m_ = 0.0;
   bool central_on_ = false;
+  bool aligning_on_ = false;
   int steps_ = 0;
   int states_ = 0;
 };

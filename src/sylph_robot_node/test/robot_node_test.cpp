@@ -66,6 +66,17 @@ std::pair<int, std::string> confirmPose(const std::string& arguments) {
   return outcomeOf("env ROS_NAMESPACE=/ " SYLPH_CONFIRM_POSE_EXECUTABLE " " + arguments);
 }
 
+/// Confirms the pose of a robot that was moved by hand.
+void expectConfirmed(MockLab& lab) {
+  lab.setMode(AdgState::STOP);
+  const int stops = lab.stateCount() + 3;
+  ASSERT_TRUE(waitUntil([&] { return lab.stateCount() > stops; }));
+  const auto [status, said] = confirmPose("robot_0");
+  EXPECT_EQ(0, status) << said;
+  EXPECT_EQ(0U, said.find("robot_0: its pose is confirmed: ")) << said;
+  lab.setMode(AdgState::RUN);
+}
+
 void expectBelievedOnlyWhenConfirmed(MockLab& lab, double offset_m) {
   SCOPED_TRACE(offset_m);
   lab.setCameraOffset(offset_m);
@@ -74,14 +85,21 @@ void expectBelievedOnlyWhenConfirmed(MockLab& lab, double offset_m) {
   EXPECT_EQ(std::make_pair(1, std::string("sylph_confirm_pose: robot_0: stop first: a robot whose "
                                           "pose is confirmed may drive on at once\n")),
             confirmPose("robot_0"));
-  lab.setMode(AdgState::STOP);
-  const int stops = lab.stateCount() + 3;
-  ASSERT_TRUE(waitUntil([&] { return lab.stateCount() > stops; }));
-  const auto [status, said] = confirmPose("robot_0");
-  EXPECT_EQ(0, status) << said;
-  EXPECT_EQ(0U, said.find("robot_0: its pose is confirmed: ")) << said;
-  lab.setMode(AdgState::RUN);
+  expectConfirmed(lab);
   ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::IDLE; }));
+}
+
+void expectTurnsBackWhenToldToAlign(MockLab& lab) {
+  lab.turn(0.44);
+  ASSERT_TRUE(
+      waitUntil([&] { return lab.report().detail.find("confirm its pose") != std::string::npos; }));
+  expectConfirmed(lab);
+  ASSERT_TRUE(
+      waitUntil([&] { return lab.report().detail == "heading is 25 deg off: turn it by hand"; }));
+  lab.setAligning(true);
+  ASSERT_TRUE(waitUntil([&] { return std::abs(lab.pose().yaw_rad) < 0.05; }));
+  ASSERT_TRUE(waitUntil([&] { return lab.report().state == TaskReport::IDLE; }));
+  lab.setAligning(false);
 }
 
 void expectZerosAfterTheKill(MockLab& lab, int process) {
@@ -149,6 +167,7 @@ TEST(RobotNodeTest, ATaskFromHoldToShutdown) {
   // Seen at another place, it believes the operator's word for it, and back again.
   expectBelievedOnlyWhenConfirmed(lab, 0.08);
   expectBelievedOnlyWhenConfirmed(lab, 0.0);
+  expectTurnsBackWhenToldToAlign(lab);
   EXPECT_EQ(1, confirmPose("robot_7").first);
   EXPECT_EQ(1, confirmPose("").first);
 
