@@ -14,6 +14,7 @@ import rospy
 import rostest
 import yaml
 from interfaces import Interfaces
+from nav_msgs.msg import OccupancyGrid
 from rosgraph_msgs.msg import Clock
 from visualization_msgs.msg import MarkerArray
 
@@ -75,6 +76,8 @@ class FleetsTest(unittest.TestCase):
         nodes = set()
         parameters = set()
         interfaces = [Interfaces(fleet.namespace, fleet.robots) for fleet in (pair, trio)]
+        origins = []  # of the pair's map, which SLAM has made: of the lab's, and of the mission's
+        maps = rospy.Subscriber("/pair/map", OccupancyGrid, lambda grid: origins.append(grid.info.origin.position))
         master = rosgraph.Master("fleets_test")
 
         def look():
@@ -99,6 +102,8 @@ class FleetsTest(unittest.TestCase):
             for robot in fleet.robots:
                 self.assertIn(f"/{fleet.namespace}/{robot}/sylph_robot", nodes)
         self.assert_apart(uses, nodes, parameters)
+        maps.unregister()
+        self.assertEqual({(-0.7, 0.4)}, {(round(origin.x, 6), round(origin.y, 6)) for origin in origins})
         for interface in interfaces:
             self.assertEqual([], list(interface.findings()))
         for fleet in (pair, trio):
