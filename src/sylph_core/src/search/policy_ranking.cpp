@@ -1,7 +1,6 @@
 #include "sylph_core/search/policy_ranking.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "sylph_core/grid/action.hpp"
 
@@ -33,7 +32,7 @@ void PolicyRanking::rank(AgentId agent, VertexId at, const Occupants& occupied_n
       key -= settings_->stay_penalty;
     }
     if (temperature > 0.0) {
-      key += temperature * drawGumbel();
+      key += temperature * drawGumbel(*rng_);
     }
     return -key;
   });
@@ -51,13 +50,6 @@ double PolicyRanking::temperatureOf(AgentId agent, VertexId at,
   }
   return settings_->base_temperature * std::clamp((priority - kPatience) / kTemperatureRise,
                                                   settings_->least_factor, settings_->most_factor);
-}
-
-double PolicyRanking::drawGumbel() {
-  constexpr double kHalfStep = 0.5 / 4294967296.0;  // keeps the fraction off 0
-  // The largest of logits with Gumbel noise is a draw by their softmax (Gumbel 1954), and the order
-  // behind it one without putting back.
-  return -std::log(-std::log(drawFraction(*rng_) + kHalfStep));
 }
 
 }  // namespace sylph

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <map>
@@ -68,6 +69,23 @@ TEST(RngTest, WithoutWeightsAllIndicesAreAsLikely) {
   }
   for (const int count : counts) {
     EXPECT_NEAR(kDraws / 4.0, count, 0.02 * kDraws);
+  }
+}
+
+TEST(RngTest, TheLargestLogitWithGumbelNoiseIsADrawByTheirSoftmax) {
+  const std::array<double, 3> logits = {0.0, std::log(2.0), std::log(5.0)};
+  std::array<int, 3> counts{};
+  Rng rng(7);
+  for (int draw = 0; draw < kDraws; ++draw) {
+    std::array<double, 3> keys{};
+    for (std::size_t index = 0; index < logits.size(); ++index) {
+      keys.at(index) = logits.at(index) + drawGumbel(rng);
+    }
+    ++counts.at(
+        static_cast<std::size_t>(std::max_element(keys.begin(), keys.end()) - keys.begin()));
+  }
+  for (std::size_t index = 0; index < logits.size(); ++index) {
+    EXPECT_NEAR(kDraws * std::exp(logits.at(index)) / 8.0, counts.at(index), 0.02 * kDraws);
   }
 }
 

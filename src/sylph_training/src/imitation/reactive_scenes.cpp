@@ -270,15 +270,13 @@ SceneSource studentLedScenes(std::shared_ptr<const sylph::Policy> policy,
 
 std::vector<Action> drawDesiredActions(const TeamState& team, const sylph::AgentRows& logits,
                                        double temperature, sylph::Rng& rng) {
-  constexpr double kHalfStep = 0.5 / 4294967296.0;  // keeps the fraction off 0
   std::vector<Action> desired;
   for (AgentId agent = 0; agent < team.agentCount(); ++agent) {
     double best = 0.0;
     Action drawn = Action::Stay;
     for (const Action action : sylph::kActions) {
-      const double gumbel = -std::log(-std::log(sylph::drawFraction(rng) + kHalfStep));
       const double key = static_cast<double>(logits(agent, static_cast<Eigen::Index>(action))) +
-                         temperature * gumbel;
+                         temperature * sylph::drawGumbel(rng);
       if (action == Action::Stay || (team.isValid(agent, action) && key > best)) {
         best = key;
         drawn = action;

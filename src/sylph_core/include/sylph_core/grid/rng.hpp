@@ -46,6 +46,13 @@ inline double drawNormal(Rng& rng) {
   return radius * std::cos(kTwoPi * drawFraction(rng));
 }
 
+/// From the standard Gumbel distribution. The largest of logits with such noise is a draw by their
+/// softmax (Gumbel 1954), and their order one without replacement (Kool et al. 2019).
+inline double drawGumbel(Rng& rng) {
+  constexpr double kHalfStep = 0.5 / 4294967296.0;  // keeps the fraction off 0
+  return -std::log(-std::log(drawFraction(rng) + kHalfStep));
+}
+
 /// An index in 0 ... count - 1, with a probability in proportion to its weight; where all weights
 /// are 0, any with the same. `count` must be > 0.
 /// @param weight  of an index: finite and >= 0

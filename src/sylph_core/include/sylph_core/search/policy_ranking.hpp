@@ -41,7 +41,6 @@ class PolicyRanking : public MoveRanking {
 
  private:
   double temperatureOf(AgentId agent, VertexId at, const Occupants& occupied_now) const;
-  double drawGumbel();
 
   const SearchProblem* problem_;
   const MoveSettings* settings_;
