@@ -205,11 +205,8 @@ void CentralNode::onSeparation(const sylph_msgs::SeparationState& message) {
 }
 
 void CentralNode::onEmergencyStop(const std_msgs::Bool& message) {
-  is_emergency_ = message.data != 0;
-  if (is_emergency_) {
-    execution_.setMode(ExecutionMode::Stop, emergency_reason_);
-    flush();
-  }
+  execution_.setEmergencyStop(message.data != 0, emergency_reason_);
+  flush();
 }
 
 void CentralNode::onTruth(const sylph_msgs::SimulationTruth& message) {
@@ -253,13 +250,10 @@ bool CentralNode::onDeclareLost(sylph_msgs::DeclareLost::Request& request,
 }
 
 bool CentralNode::setMode(ExecutionMode mode, std_srvs::Trigger::Response& response) {
-  response.success = static_cast<std::uint8_t>(mode != ExecutionMode::Run || !is_emergency_);
-  if (response.success == 0) {
-    response.message = emergency_reason_ + ": reset the separation monitor first";
-    return true;
-  }
-  execution_.setMode(mode, "by the operator");
-  response.message = toString(mode);
+  const bool is_granted = execution_.setMode(mode, "by the operator");
+  response.success = static_cast<std::uint8_t>(is_granted);
+  response.message = is_granted ? toString(execution_.mode())
+                                : emergency_reason_ + ": reset the separation monitor first";
   flush();
   return true;
 }

@@ -107,7 +107,11 @@ TEST_F(CentralNodeTest, PausesStopsAndResumes) {
 TEST_F(CentralNodeTest, ObeysTheOperatorsCommands) {
   EXPECT_EQ(std::make_pair(0, std::string("stop\n")), command("sylph_stop"));
   ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::STOP; }));
-  EXPECT_EQ(0, command("sylph_pause").first);
+  EXPECT_EQ(std::make_pair(0, std::string("stop\n")), command("sylph_pause"))
+      << "who is stopped does not drive on to finish a task";
+  EXPECT_EQ(0, command("sylph_resume").first);
+  ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::RUN; }));
+  EXPECT_EQ(std::make_pair(0, std::string("pause\n")), command("sylph_pause"));
   ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::PAUSE; }));
   EXPECT_EQ(0, command("sylph_resume").first);
   ASSERT_TRUE(spinUntil([&] { return state_.mode == AdgState::RUN; }));

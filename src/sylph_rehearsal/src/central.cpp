@@ -29,7 +29,6 @@ void Central::start() {
   for (const std::string& line : log_) {
     execution_->replay(sylph::eventFromLine(line, names_).event);
   }
-  is_emergency_ = false;
   has_changed_ = true;
   tick(life_);
 }
@@ -74,18 +73,16 @@ void Central::onReport(int robot, const sylph::RobotReport& report) {
 }
 
 void Central::onEmergencyStop(bool is_pressed, const std::string& reason) {
-  is_emergency_ = is_pressed;
-  if (execution_ && is_pressed) {
-    execution_->setMode(sylph::ExecutionMode::Stop, reason);
+  if (execution_) {
+    execution_->setEmergencyStop(is_pressed, reason);
     flush();
   }
 }
 
 bool Central::setMode(sylph::ExecutionMode mode, const std::string& reason) {
-  if (!execution_ || (mode == sylph::ExecutionMode::Run && is_emergency_)) {
+  if (!execution_ || !execution_->setMode(mode, reason)) {
     return false;
   }
-  execution_->setMode(mode, reason);
   flush();
   return true;
 }

@@ -65,7 +65,6 @@ class Central {
   std::vector<std::string> log_;
   std::optional<sylph::Execution> execution_;
   sylph::RunRecord record_;
-  bool is_emergency_ = false;
   bool has_changed_ = true;  // since the last AdgState
   double state_sent_s_ = 0.0;
   int life_ = 0;

@@ -85,7 +85,6 @@ class CentralNode {
   std::string notice_;  ///< to be told while nothing else is
   std::string broken_;  ///< why the mission was broken off; empty: it was not
   std::uint32_t broken_plan_id_ = 0;
-  bool is_emergency_ = false;
   std::string emergency_reason_ = "the separation monitor stops all robots";
   bool has_changed_ = true;     ///< since the last AdgState
   double state_sent_s_ = 0.0;   ///< steady time

@@ -35,14 +35,26 @@ void Execution::setPhase(ExecutionPhase phase) {
   }
 }
 
-void Execution::setMode(ExecutionMode mode, const std::string& reason) {
-  if (mode_ == mode) {
-    return;
+bool Execution::setMode(ExecutionMode mode, const std::string& reason) {
+  if (mode == ExecutionMode::Run && is_emergency_) {
+    return false;
   }
-  mode_ = mode;
-  mode_reason_ = mode == ExecutionMode::Run ? std::string() : reason;
-  log(event::Mode{mode, reason});
-  advance();
+  // Robots that are paused finish their tasks: who is stopped must not drive on for that.
+  const bool is_looser = mode == ExecutionMode::Pause && mode_ == ExecutionMode::Stop;
+  if (mode_ != mode && !is_looser) {
+    mode_ = mode;
+    mode_reason_ = mode == ExecutionMode::Run ? std::string() : reason;
+    log(event::Mode{mode, reason});
+    advance();
+  }
+  return true;
+}
+
+void Execution::setEmergencyStop(bool is_pressed, const std::string& reason) {
+  is_emergency_ = is_pressed;
+  if (is_pressed) {
+    setMode(ExecutionMode::Stop, reason);
+  }
 }
 
 void Execution::declareLost(int robot, const std::string& reason) {

@@ -293,7 +293,8 @@ void MissionLifecycle::sendAgain(double now_s) {
 
 void MissionLifecycle::follow(double now_s) {
   // Only its own pause: an operator may have a reason to keep the robots where they are.
-  if (std::exchange(has_paused_, false)) {
+  has_paused_ = false;
+  if (std::exchange(lifts_pause_, false) && state_->mode == ExecutionMode::Pause) {
     commands_.emplace_back(mission_command::Resume{});
   }
   enter(Stage::Executing, now_s);
@@ -304,6 +305,7 @@ void MissionLifecycle::pauseIfUnderWay() {
                             (stage_ == Stage::Planning && replaces_plan_id_ != 0);
   if (is_under_way) {
     has_paused_ = true;
+    lifts_pause_ = lifts_pause_ || !state_ || state_->mode == ExecutionMode::Run;
     commands_.emplace_back(mission_command::Pause{});
   }
 }

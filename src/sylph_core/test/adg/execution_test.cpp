@@ -126,6 +126,23 @@ TEST_F(ExecutionTest, PauseReleasesNothingAndResumeGoesOn) {
   EXPECT_TRUE(stepUntil(ExecutionPhase::Finished));
 }
 
+TEST_F(ExecutionTest, APauseDoesNotLetStoppedRobotsDriveOn) {
+  EXPECT_TRUE(execution_->setMode(ExecutionMode::Stop, "by the operator"));
+  EXPECT_TRUE(execution_->setMode(ExecutionMode::Pause, "by the planner"));
+  EXPECT_EQ(ExecutionMode::Stop, execution_->mode());
+  EXPECT_EQ("by the operator", execution_->modeReason());
+}
+
+TEST_F(ExecutionTest, OnlyAResumeEndsAnEmergencyStopThatIsReleased) {
+  execution_->setEmergencyStop(true, "two robots came too close");
+  EXPECT_EQ("two robots came too close", execution_->modeReason());
+  EXPECT_FALSE(execution_->setMode(ExecutionMode::Run, "by the operator"));
+  execution_->setEmergencyStop(false, "");
+  EXPECT_EQ(ExecutionMode::Stop, execution_->mode());
+  EXPECT_TRUE(execution_->setMode(ExecutionMode::Run, "by the operator"));
+  EXPECT_EQ(ExecutionMode::Run, execution_->mode());
+}
+
 TEST_F(ExecutionTest, NoticesSilenceBlindnessAndStandstill) {
   place(queue().front());
   submit(queue(), 1);

@@ -101,6 +101,31 @@ class MissionLifecycleTest : public testing::Test {
     ASSERT_EQ(Stage::Executing, lifecycle_.stage());
   }
 
+  /// Another mission takes the place of the one that is carried out.
+  /// @param before, after  the execution's mode, as it has been, and when the other one begins
+  void supersede(ExecutionMode before, ExecutionMode after) {
+    execute();
+    state_.mode = before;
+    hear();
+    lifecycle_.supersede(now_s_);
+    take();
+    EXPECT_EQ(MissionOutcome::Preempted, result().outcome);
+    EXPECT_EQ(1U, count<mission_command::Pause>());
+    Mission other = smallMission();
+    other.goals[1] = {1, 0};
+    lifecycle_.begin(other, now_s_);
+    hear();
+    EXPECT_EQ(Stage::Starting, lifecycle_.stage()) << "robots of the old mission move";
+    state_.mode = after;
+    state_.robots[0].report_state = RobotState::Holding;
+    hear();
+    plan();
+    EXPECT_EQ(0U, count<mission_command::Resume>());
+    state_.plan_id = lifecycle_.planId();
+    hear();
+    EXPECT_EQ(Stage::Executing, lifecycle_.stage());
+  }
+
   void arrive() {
     for (RobotExecution& robot : state_.robots) {
       robot.cell = robot.goal;
@@ -412,23 +437,7 @@ TEST_F(MissionLifecycleTest, ForgetsThePlanOfAMissionThatIsCancelledBeforeItIsMa
 }
 
 TEST_F(MissionLifecycleTest, LiftsItsOwnPauseWithTheNextMission) {
-  execute();
-  lifecycle_.supersede(now_s_);
-  take();
-  EXPECT_EQ(MissionOutcome::Preempted, result().outcome);
-  EXPECT_EQ(1U, count<mission_command::Pause>());
-  Mission other = smallMission();
-  other.goals[1] = {1, 0};
-  lifecycle_.begin(other, now_s_);
-  hear();
-  EXPECT_EQ(Stage::Starting, lifecycle_.stage()) << "robots of the old mission move";
-  state_.mode = ExecutionMode::Pause;
-  state_.robots[0].report_state = RobotState::Holding;
-  hear();
-  plan();
-  EXPECT_EQ(0U, count<mission_command::Resume>());
-  state_.plan_id = lifecycle_.planId();
-  hear();
+  supersede(ExecutionMode::Run, ExecutionMode::Pause);
   EXPECT_EQ(1U, count<mission_command::Resume>());
 }
 
@@ -437,6 +446,21 @@ TEST_F(MissionLifecycleTest, LeavesAnOperatorsPauseAlone) {
   execute();
   arrive();
   hear();
+  EXPECT_EQ(0U, count<mission_command::Resume>());
+}
+
+TEST_F(MissionLifecycleTest, LeavesRobotsHaltedThatAnOperatorHasHalted) {
+  supersede(ExecutionMode::Pause, ExecutionMode::Pause);
+  EXPECT_EQ(0U, count<mission_command::Resume>());
+}
+
+TEST_F(MissionLifecycleTest, LeavesRobotsStoppedThatAnOperatorHasStopped) {
+  supersede(ExecutionMode::Stop, ExecutionMode::Stop);
+  EXPECT_EQ(0U, count<mission_command::Resume>());
+}
+
+TEST_F(MissionLifecycleTest, LeavesRobotsStoppedThatAreStoppedWhileItsOwnPauseHolds) {
+  supersede(ExecutionMode::Run, ExecutionMode::Stop);
   EXPECT_EQ(0U, count<mission_command::Resume>());
 }
 

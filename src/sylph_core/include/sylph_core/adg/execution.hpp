@@ -41,8 +41,13 @@ class Execution {
   void refuse(std::uint32_t plan_id, const std::string& reason);
   /// @throws std::out_of_range if there is no such robot
   void report(int robot, const RobotReport& report, double now_s);
-  /// Lets robots run, pause or stop; `reason` is shown to the operator.
-  void setMode(ExecutionMode mode, const std::string& reason);
+  /// Lets robots run, pause or stop; `reason` is shown to the operator. A pause leaves robots that
+  /// are stopped as they are.
+  /// @return false if they may not run since the emergency stop is pressed
+  bool setMode(ExecutionMode mode, const std::string& reason);
+  /// Pressed it stops all robots, and nobody lets them run before it is released. Not part of the
+  /// events: whoever presses it says so again after a restart.
+  void setEmergencyStop(bool is_pressed, const std::string& reason);
   /// Takes a robot out of the mission. Nothing happens if it is out already.
   void declareLost(int robot, const std::string& reason);
   /// Watchdogs and whatever waits for time to pass; to be called at 10 Hz or more.
@@ -166,6 +171,7 @@ class Execution {
   ExecutionPhase phase_ = ExecutionPhase::Idle;
   ExecutionMode mode_ = ExecutionMode::Run;
   std::string mode_reason_;
+  bool is_emergency_ = false;  ///< the emergency stop is pressed
   std::string refusal_;
   std::string wait_reason_;  ///< of the plan that is pending
   std::optional<std::size_t> aligned_;

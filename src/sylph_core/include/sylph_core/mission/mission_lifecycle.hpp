@@ -170,7 +170,8 @@ class MissionLifecycle {
   std::string waits_for_;       ///< why a mission does not start yet
   bool is_planning_ = false;    ///< for this mission or one that was left
   bool has_published_ = false;  ///< a plan, and has not taken it back
-  bool has_paused_ = false;     ///< the pause that is in force was asked for here, by no operator
+  bool has_paused_ = false;     ///< robots were asked to hold for the next mission
+  bool lifts_pause_ = false;    ///< they ran before: the pause in force is no operator's
   double sent_s_ = 0.0;
   std::optional<AdgState> state_;  ///< the last one
   double state_received_s_ = 0.0;
