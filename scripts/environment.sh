@@ -9,6 +9,14 @@ if [ -e /opt/ros/noetic/setup.bash ]; then  # Ubuntu 20.04; Debian's own ROS nee
   set -u
 fi
 
+# Nodes tell each other this computer's name. One without an address (a container, a computer that was renamed) keeps
+# every node from starting.
+if [ -z "${ROS_HOSTNAME:-}${ROS_IP:-}" ] && ! getent hosts "$(hostname)" >/dev/null; then
+  echo "$(basename -- "$0"): this computer's name, $(hostname), has no address (see /etc/hosts): ROS_HOSTNAME=localhost" \
+    "instead; set ROS_IP where robots have computers of their own" >&2
+  export ROS_HOSTNAME=localhost
+fi
+
 die() {
   echo "$(basename "$0"): $*" >&2
   exit 2

@@ -100,6 +100,21 @@ class RunTest(unittest.TestCase):
         for name in ("weights", "mocap_config", "sim_config"):
             self.assertIn(f"{self.caller}/no: no such file", self.run_it(f"{name}:=no").stderr)
 
+    def test_a_computer_whose_name_has_no_address_is_localhost(self):
+        def named(hostname, **settings):
+            environment = {name: value for name, value in os.environ.items() if name not in ("ROS_HOSTNAME", "ROS_IP")}
+            environment.update(settings, **{"BASH_FUNC_hostname%%": f"() {{ echo {hostname}; }}"})
+            command = '. scripts/environment.sh; echo "${ROS_HOSTNAME:-}"'
+            ran = subprocess.run(["bash", "-euc", command, "run"], cwd=ROOT, env=environment,
+                                 capture_output=True, text=True, check=True)  # fmt: skip
+            return ran.stdout.strip(), ran.stderr
+
+        self.assertEqual(("", ""), named("localhost"))
+        self.assertEqual(("", ""), named("renamed.invalid", ROS_IP="192.168.1.5"))
+        name, said = named("renamed.invalid")
+        self.assertEqual("localhost", name)
+        self.assertIn("run: this computer's name, renamed.invalid, has no address", said)
+
     def test_refuses_a_bad_run_folder_before_it_builds(self):
         folder = self.folder_to_resume()
         with open(os.path.join(folder, "experiment.yaml"), "w", encoding="utf-8") as file:
