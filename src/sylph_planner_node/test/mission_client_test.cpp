@@ -9,7 +9,6 @@
 #include <functional>
 #include <future>
 #include <memory>
-#include <stdexcept>
 #include <string>
 
 #include "fake_planner.hpp"
@@ -49,14 +48,7 @@ class MissionClientTest : public PlannerFixture {
     options.start_timeout_s = 2.0;
     const ros::NodeHandle nh("/sylph", {{sylph_ros::kExecuteMissionAction, planner}});
     MissionClient mission(nh, options, sylph::smallLab(), sylph_ros::toGoal(sylph::smallLab()), "");
-    auto has_succeeded = std::async(std::launch::async, [&mission] { return mission.run(); });
-    meanwhile();
-    try {
-      has_succeeded.get();
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "none";
+    return failureOf([&mission] { return mission.run(); }, meanwhile);
   }
 
   sylph::ScratchFolder folder_{"sylph_mission"};

@@ -9,6 +9,9 @@
 #include <sylph_msgs/ExecuteMissionAction.h>
 
 #include <cstdint>
+#include <functional>
+#include <future>
+#include <stdexcept>
 #include <string>
 
 #include "mission/small_lab.hpp"
@@ -35,6 +38,19 @@ inline bool shutDown(const std::string& node) {
   request[1] = "asked for by a test";
   XmlRpc::XmlRpcClient client(host.c_str(), static_cast<int>(port), "/");
   return client.execute("shutdown", request, response);
+}
+
+/// What `run` throws in a thread of its own, "none" if nothing; `meanwhile` is called beside it.
+template <typename Run>
+std::string failureOf(Run run, const std::function<void()>& meanwhile) {
+  auto outcome = std::async(std::launch::async, run);
+  meanwhile();
+  try {
+    outcome.get();
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+  return "none";
 }
 
 /// The node under test runs beside this program; central node, robots and motion capture are mocks.

@@ -6,9 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <functional>
-#include <future>
 #include <memory>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -60,14 +58,7 @@ class SendTest : public PlannerFixture {
     request.wait_s = 2.0;
     const ros::NodeHandle nh("/sylph", {{sylph_ros::kPlanMissionAction, planner}});
     SendCommand command(nh, sylph::smallLab(), request);
-    auto status = std::async(std::launch::async, [&command] { return command.run(); });
-    meanwhile();
-    try {
-      status.get();
-    } catch (const std::runtime_error& error) {
-      return error.what();
-    }
-    return "none";
+    return failureOf([&command] { return command.run(); }, meanwhile);
   }
 };
 
