@@ -178,9 +178,9 @@ void LockStepHost::beginTick(double wall_s) {
   waiting_ = Waiting::ForFirst;
   called_wall_s_ = wall_s;
   members_.call(LockStepMembers::Stage::First, number_, wall_s);
-  if (members_.count(LockStepMembers::Stage::First) > 0) {
-    first_publisher_.publish(tick_);
-  } else {
+  // To no members too: a node that is started again becomes one by answering.
+  first_publisher_.publish(tick_);
+  if (members_.hasAnswered()) {
     callSecond(wall_s);
   }
 }

@@ -71,10 +71,4 @@ std::vector<std::string> LockStepMembers::silent() const {
   return names;
 }
 
-std::size_t LockStepMembers::count(Stage stage) const {
-  return static_cast<std::size_t>(
-      std::count_if(members_.begin(), members_.end(),
-                    [stage](const auto& entry) { return entry.second.stage == stage; }));
-}
-
 }  // namespace sylph_sim

@@ -30,6 +30,21 @@ class LockStepHostTest : public testing::Test {
         [this](const sylph_msgs::LockStepTick::ConstPtr& tick) { answer(tick->number); });
   }
 
+  /// What a node does that acts in the first half of a tick.
+  void startFirst() {
+    first_ticks_ = nh_.subscribe<sylph_msgs::LockStepTick>(
+        sylph_ros::kLockStepFirstTopic, 100,
+        [this](const sylph_msgs::LockStepTick::ConstPtr& tick) {
+          ++first_answers_;
+          sylph_msgs::LockStepDone done;
+          done.node = ros::this_node::getName();
+          done.stage = sylph_msgs::LockStepDone::FIRST;
+          done.number = tick->number;
+          done.is_ready = 1;
+          answers_.publish(done);
+        });
+  }
+
   void answer(std::uint32_t number) {
     for (const std::string& node : nodes_) {
       if (node != "/lively" && number >= silent_from_) {
@@ -65,11 +80,13 @@ class LockStepHostTest : public testing::Test {
   std::uint32_t silent_from_ = std::numeric_limits<std::uint32_t>::max();
   std::uint32_t announced_ = 0;
   int advanced_ = 0;
+  int first_answers_ = 0;
   LockStepOptions options_;
   ros::Publisher answers_ =
       nh_.advertise<sylph_msgs::LockStepDone>(sylph_ros::kLockStepDoneTopic, 100);
   ros::Publisher commands_ = nh_.advertise<geometry_msgs::Twist>(kTopic, 100);
   ros::Subscriber ticks_;
+  ros::Subscriber first_ticks_;
 };
 
 TEST_F(LockStepHostTest, WaitsForEachNodeButNotForEver) {
@@ -89,6 +106,23 @@ TEST_F(LockStepHostTest, DoesNotWaitForANodeThatHasEnded) {
   ASSERT_TRUE(reaches(5));
   ticks_.shutdown();
   ASSERT_TRUE(reaches(100));
+  EXPECT_TRUE(host.silent().empty());
+}
+
+// As the bridge to motion capture, the only such node of a lab, which roslaunch starts again.
+TEST_F(LockStepHostTest, TheOnlyFirstNodeIsAMemberAgainAfterItHasEnded) {
+  options_.silent_after_s = 1e3;
+  startFirst();
+  LockStepHost host(nh_, options_, nodes_, 0.0, ros::Time(100.0), [this] { return advance(); });
+  ASSERT_TRUE(reaches(5));
+  first_ticks_.shutdown();
+  ASSERT_TRUE(reaches(advanced_ + 100));
+  const int before_end = first_answers_;
+  startFirst();
+  EXPECT_TRUE(sylph_ros::waitUntil(
+      [&] { return first_answers_ >= before_end + 10; },
+      [] { ros::getGlobalCallbackQueue()->callAvailable(ros::WallDuration(0.002)); }));
+  EXPECT_TRUE(reaches(advanced_ + 100));
   EXPECT_TRUE(host.silent().empty());
 }
 

@@ -52,8 +52,6 @@ class LockStepMembers {
   std::vector<std::string> findSilent(double wall_s);
   /// Names of members that are silent.
   std::vector<std::string> silent() const;
-  /// How many members act in a stage.
-  std::size_t count(Stage stage) const;
 
  private:
   struct Member {
