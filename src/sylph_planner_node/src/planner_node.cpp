@@ -49,7 +49,7 @@ PlannerNode::PlannerNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
           nh_, sylph_ros::kAdgStateTopic, 10,
           [this](const sylph_msgs::AdgState& state) { onAdgState(state); })),
       server_(nh_, sylph_ros::kExecuteMissionAction, false),
-      plan_server_(nh_, options_, lab_, weights_, clock_),
+      plan_server_(nh_, options_, limitsOf(options_, lab_, clock_.speed()), lab_, weights_, clock_),
       diagnostics_(nh_, private_nh) {
   // Weights of no use are refused now rather than with the first mission.
   weights_.of(lab_.planning.planner);
