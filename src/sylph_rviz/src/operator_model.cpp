@@ -71,6 +71,21 @@ std::string cellText(const sylph_msgs::Cell& cell) {
   return sylph::toString(sylph_ros::fromMessage(cell));
 }
 
+sylph::Cell cellUnder(const MapExtent& map, const sylph::Pose2d& pose) {
+  return sylph::CellFrame(map.rows, map.cell_size_m, map.corner).toCell(sylph::position(pose));
+}
+
+/// Empty while there is no map to put the pose on.
+std::string whereText(const Scene& scene, const RobotView& robot) {
+  if (const auto cell = cellOf(*robot.execution)) {
+    return sylph::toString(*cell);
+  }
+  if (!robot.pose) {
+    return "no pose";
+  }
+  return scene.map ? sylph::toString(cellUnder(*scene.map, *robot.pose)) : "";
+}
+
 std::string ownWaitText(const RobotExecution& robot) {
   return "waits " + durationText(robot.waited_s) + " for " + robot.waits_for_robot + " to leave " +
          cellText(robot.waits_for_cell);
@@ -283,8 +298,7 @@ std::optional<sylph::Point> OperatorModel::handleOf(const RobotView& robot) cons
   if (goal != desk_.draft()->goals().end()) {
     return centerOf(scene_, goal->second);
   }
-  const sylph::CellFrame frame(scene_.map->rows, scene_.map->cell_size_m, scene_.map->corner);
-  return frame.toPoint(frame.toCell(sylph::position(*robot.pose)));
+  return centerOf(scene_, cellUnder(*scene_.map, *robot.pose));
 }
 
 std::vector<GoalHandle> OperatorModel::handles(double steady_s) const {
@@ -317,7 +331,7 @@ RobotRow OperatorModel::rowOf(const RobotView& robot, double ros_s) const {
   }
   row.status = statusOf(*scene_.state, *robot.execution);
   row.state = stateText(row.status, *robot.execution);
-  row.cell = cellText(robot.execution->cell);
+  row.cell = whereText(scene_, robot);
   if (!robot.execution->waits_for_robot.empty()) {
     row.waits = robot.execution->waits_for_robot + ", " + durationText(robot.execution->waited_s);
   }
@@ -405,12 +419,13 @@ std::vector<std::string> chainText(const Scene& scene, const std::string& robot)
 }
 
 std::optional<double> trackingError(const Scene& scene, const RobotView& robot) {
-  if (!robot.pose || !robot.execution || !scene.map) {
+  const auto cell = robot.execution ? cellOf(*robot.execution) : std::nullopt;
+  if (!robot.pose || !cell || !scene.map) {
     return std::nullopt;
   }
   const RobotExecution& execution = *robot.execution;
   const sylph::Point position = sylph::position(*robot.pose);
-  auto from = centerOf(scene, sylph_ros::fromMessage(execution.cell));
+  auto from = centerOf(scene, *cell);
   double nearest_m = sylph::distanceToSegment(position, *from, *from);
   // Only so far ahead: a path that comes back here later would hide how far off the robot is.
   const std::size_t cells = std::min(execution.remaining_path.size(), kCellsAhead + 1);

@@ -12,7 +12,7 @@ constexpr std::size_t kLanes = 8;
 constexpr double kLaneM = 0.018;  // from lane to lane
 
 std::optional<sylph::Cell> goalOf(const RobotView& robot, bool has_plan) {
-  if (has_plan && robot.execution) {
+  if (has_plan && robot.execution && cellOf(*robot.execution)) {
     return sylph::Cell{robot.execution->goal.row, robot.execution->goal.col};
   }
   return robot.goal;

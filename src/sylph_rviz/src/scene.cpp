@@ -68,6 +68,13 @@ std::optional<sylph::Point> centerOf(const Scene& scene, const sylph::Cell& cell
   return sylph::CellFrame(scene.map->rows, scene.map->cell_size_m, scene.map->corner).toPoint(cell);
 }
 
+std::optional<sylph::Cell> cellOf(const RobotExecution& robot) {
+  if (robot.remaining_path.empty()) {
+    return std::nullopt;
+  }
+  return sylph_ros::fromMessage(robot.cell);
+}
+
 const RobotView* findRobot(const Scene& scene, const std::string& name) {
   const auto found = std::find_if(scene.robots.begin(), scene.robots.end(),
                                   [&](const RobotView& robot) { return robot.name == name; });

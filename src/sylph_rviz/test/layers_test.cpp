@@ -109,6 +109,15 @@ TEST(GoalMarkersTest, ShowTheExperimentsGoalUntilThereIsAPlan) {
   EXPECT_NEAR(0.75, findMarker(goalMarkers(scene), "name", 1)->pose.position.x, 1e-9);
 }
 
+TEST(GoalMarkersTest, HaveNoneForARobotWithoutMissionAndPose) {
+  Scene scene = twoRobots();
+  scene.robots[1].pose.reset();
+  scene.robots[1].execution = sylph_msgs::RobotExecution();
+  const Markers markers = goalMarkers(scene);
+  EXPECT_NE(nullptr, findMarker(markers, "ring", 0));
+  EXPECT_EQ(nullptr, findMarker(markers, "ring", 1)) << "in the map's corner";
+}
+
 TEST(GoalMarkersTest, HaveAnotherFormThanRobots) {
   const Scene scene = twoRobots();
   EXPECT_NE(findMarker(robotMarkers(scene), "body", 0)->type,

@@ -134,10 +134,26 @@ TEST_F(OperatorModelTest, MeasuresPoseAgeInRosTimeAndErrorFromTheWay) {
   map.info.height = 4;
   map.info.resolution = 0.3F;
   model.onMap(map);
-  state.robots[0].cell.row = 3;
-  hear();
   EXPECT_NEAR(0.02, row(0).tracking_error_m.value(), 1e-6) << "it drives north along x = 0.15";
   EXPECT_FALSE(row(1).tracking_error_m) << "without a pose";
+}
+
+TEST_F(OperatorModelTest, TellsNoCellOfARobotWithoutAPose) {
+  hear();
+  EXPECT_EQ("(3,0)", row(0).cell);
+  state.robots[0] = RobotExecution();  // no part in the mission, and no pose that was heard
+  state.robots[0].robot_id = "robot_0";
+  hear();
+  EXPECT_EQ("no pose", row(0).cell);
+  model.onPose("robot_0", {0.4, 0.2, 0.0}, 0.0);
+  EXPECT_EQ("", row(0).cell) << "without a map";
+  nav_msgs::OccupancyGrid map;
+  map.info.width = 5;
+  map.info.height = 4;
+  map.info.resolution = 0.3F;
+  model.onMap(map);
+  EXPECT_EQ("(3,1)", row(0).cell);
+  EXPECT_FALSE(row(0).tracking_error_m) << "it has no way to drive";
 }
 
 TEST_F(OperatorModelTest, EstimatesTheTimeLeftByThePaceOfTheRobotFurthestBehind) {

@@ -33,12 +33,15 @@ inline Scene twoRobots() {
     cell.row = row;
     first.execution->remaining_path.push_back(cell);
   }
+  first.execution->cell = first.execution->remaining_path.front();
   first.execution->partner = "robot_1";
   first.execution->svo_deg = 25.0F;
   RobotView& second = scene.robots[1];
   second.pose = sylph::Pose2d{1.35, 0.15, 0.0};
   second.execution->goal.row = 3;
   second.execution->goal.col = 4;
+  second.execution->cell = second.execution->goal;
+  second.execution->remaining_path = {second.execution->cell};
   second.execution->svo_deg = std::numeric_limits<float>::quiet_NaN();
   scene.state->robots = {*first.execution, *second.execution};
   return scene;

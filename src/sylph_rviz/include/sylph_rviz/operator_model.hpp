@@ -33,7 +33,7 @@ struct RobotRow {
   std::string name;                           ///< as in the experiment
   RobotStatus status = RobotStatus::Unknown;  ///< decides the row's colour
   std::string state;                          ///< its status in a word
-  std::string cell;                           ///< where it is, "(row,col)"
+  std::string cell;                           ///< where it is, "(row,col)", or "no pose"
   std::string waits;                          ///< for whom and how long
   std::string reason;              ///< why it does not go on, down to who holds everybody up
   std::vector<std::string> chain;  ///< a line for each robot that waits for the next, from this one

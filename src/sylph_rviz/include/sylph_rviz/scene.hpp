@@ -57,6 +57,10 @@ void setPose(RobotView& robot, const sylph::Pose2d& pose);
 /// Centre of a cell, or nothing before the map is known.
 std::optional<sylph::Point> centerOf(const Scene& scene, const sylph::Cell& cell);
 
+/// The cell in which the central node has a robot; nothing for one that has no part in the mission
+/// and of which it has heard no pose: its `cell` and `goal` say nothing then.
+std::optional<sylph::Cell> cellOf(const sylph_msgs::RobotExecution& robot);
+
 /// The robot of that name, or nullptr.
 const RobotView* findRobot(const Scene& scene, const std::string& name);
 
