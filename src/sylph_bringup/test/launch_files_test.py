@@ -113,6 +113,11 @@ class LaunchFilesTest(unittest.TestCase):
                 if node.name in ("rviz", "record_run", "sylph_markers"):
                     self.assertFalse(node.required, node.name)
 
+    def test_no_lab_drives_without_its_separation_monitor(self):
+        for sim in ("true", "false"):
+            required = {node.name for node in load(LAB, sim=sim).nodes if node.required}
+            self.assertIn("sylph_separation_monitor", required)
+
     def test_what_nodes_agree_on_is_said_once(self):
         config = load(LAB, experiment="lab_room", seed=7, planner="pibt", speed=2, run_folder="/run")
         said = [name for name in config.params if name.rsplit("/", 1)[-1] in AGREED]
