@@ -1,7 +1,6 @@
 #include "sylph_rviz/markers_node.hpp"
 
 #include <ros/console.h>
-#include <std_msgs/String.h>
 
 #include <utility>
 
@@ -15,7 +14,8 @@ namespace sylph_rviz {
 MarkersNode::MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& private_nh)
     : nh_(nh),
       options_(sylph_ros::readStrictly(private_nh, readOptions)),
-      clock_(sylph_ros::SteadyClock::ofSpectator(nh_)) {
+      clock_(sylph_ros::SteadyClock::ofSpectator(nh_)),
+      selected_robot_(nh_, [this](const std::string& robot) { scene_.selected = robot; }) {
   std::string experiment;
   sylph_ros::read(nh_, sylph_ros::kExperimentParameter, experiment);
   has_experiment_ = !experiment.empty();
@@ -46,9 +46,6 @@ MarkersNode::MarkersNode(const ros::NodeHandle& nh, const ros::NodeHandle& priva
       sylph_ros::kShownPlanTopic, 1, [this](const sylph_msgs::JointActions::ConstPtr& message) {
         scene_.shown_plan = planOf(*message);  // none: it is withdrawn
       });
-  selection_subscriber_ = nh_.subscribe<std_msgs::String>(
-      sylph_ros::kSelectedRobotTopic, 1,
-      [this](const std_msgs::String::ConstPtr& robot) { scene_.selected = robot->data; });
   // Wall time: the picture stays alive when a simulation or a replay is paused.
   timer_ = nh_.createSteadyTimer(ros::WallDuration(1.0 / options_.rate_hz),
                                  [this](const ros::SteadyTimerEvent&) { publishLayers(); });

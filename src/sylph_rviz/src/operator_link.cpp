@@ -5,7 +5,6 @@
 #include <ros/master.h>
 #include <ros/service.h>
 #include <std_msgs/Float64.h>
-#include <std_msgs/String.h>
 #include <sylph_msgs/AdgState.h>
 #include <sylph_msgs/JointActions.h>
 #include <sylph_msgs/ReplayExtent.h>
@@ -99,13 +98,11 @@ OperatorLink::OperatorLink(const ros::NodeHandle& suite_nh)
         const std::lock_guard<std::mutex> lock(mutex_);
         model_.onResult(message->result);
       }));
-  selection_ = nh_.advertise<std_msgs::String>(sylph_ros::kSelectedRobotTopic, 1, true);
   // Its own words come back here, and those of another panel or of the shell.
-  subscribers_.push_back(nh_.subscribe<std_msgs::String>(
-      sylph_ros::kSelectedRobotTopic, 1, [this](const std_msgs::String::ConstPtr& robot) {
-        const std::lock_guard<std::mutex> lock(mutex_);
-        model_.select(robot->data);
-      }));
+  selected_robot_ = std::make_unique<SelectedRobot>(nh_, [this](const std::string& robot) {
+    const std::lock_guard<std::mutex> lock(mutex_);
+    model_.select(robot);
+  });
   listenToGoals();
   callbacks_ = std::thread([this] { serveCallbacks(); });
   graph_ = std::thread([this] { watchGraph(); });
@@ -151,9 +148,7 @@ void OperatorLink::select(const std::string& robot) {
     const std::lock_guard<std::mutex> lock(mutex_);
     model_.select(robot);
   }
-  std_msgs::String message;
-  message.data = robot;
-  selection_.publish(message);
+  selected_robot_->set(robot);
 }
 
 void OperatorLink::seek(double place_s) {

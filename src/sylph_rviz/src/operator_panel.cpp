@@ -1,5 +1,6 @@
 #include "sylph_rviz/operator_panel.hpp"
 
+#include <QApplication>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QFileDialog>
@@ -64,6 +65,13 @@ OperatorPanel::OperatorPanel(QWidget* parent)
   buildCommands(column);
   buildTable(column);
   buildGoals(column);
+  // What was said to this process before is not said again.
+  for (const QWidget* widget : QApplication::allWidgets()) {
+    const auto* other = qobject_cast<const OperatorPanel*>(widget);
+    if (other != nullptr && other != this) {
+      link_->select(other->link_->view().selected);
+    }
+  }
   auto* timer = new QTimer(this);
   connect(timer, &QTimer::timeout, this, &OperatorPanel::refresh);
   timer->start(kRefreshPeriodMs);

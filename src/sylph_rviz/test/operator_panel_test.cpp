@@ -171,6 +171,17 @@ TEST_F(OperatorPanelTest, SelectsARobotByItsRowAndShowsWhatOthersSelect) {
   EXPECT_TRUE(waitUntil([&] { return selected.empty(); })) << selected;
 }
 
+TEST_F(OperatorPanelTest, ASecondPanelShowsWhatIsSelected) {
+  auto& table = *panel_.findChild<QTableWidget*>("robots");
+  ASSERT_TRUE(waitUntil([&] { return table.rowCount() == 2; }));
+  table.selectRow(1);
+  const OperatorPanel second;
+  auto& second_table = *second.findChild<QTableWidget*>("robots");
+  ASSERT_TRUE(waitUntil([&] { return second_table.rowCount() == 2; }));
+  EXPECT_TRUE(waitUntil([&] { return second_table.item(1, 0)->isSelected(); }));
+  EXPECT_TRUE(table.item(1, 0)->isSelected());
+}
+
 TEST_F(OperatorPanelTest, DrawsTheSvosOfTheSelectedRobotInItsPlan) {
   auto& chart = *panel_.findChild<SvoChart*>("svo");
   sylph::MissionPlan plan;

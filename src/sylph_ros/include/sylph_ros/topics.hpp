@@ -30,7 +30,7 @@ constexpr char kSeparationTopic[] = "separation";
 /// std_msgs/Bool, latched: true from the separation monitor stops every robot, past the central
 /// node, until the monitor is reset.
 constexpr char kEmergencyStopTopic[] = "emergency_stop";
-/// std_msgs/String, latched: the robot that the operator looks at; empty: none.
+/// std_msgs/String, to newcomers again: the robot that the operator looks at; empty: none.
 constexpr char kSelectedRobotTopic[] = "selected_robot";
 /// geometry_msgs/PoseStamped in the map frame, of RViz's "2D Nav Goal": a goal for that robot.
 constexpr char kNavGoalTopic[] = "nav_goal";

@@ -16,6 +16,7 @@
 #include "sylph_rviz/layer_history.hpp"
 #include "sylph_rviz/layers.hpp"
 #include "sylph_rviz/options.hpp"
+#include "sylph_rviz/selected_robot.hpp"
 
 namespace sylph_rviz {
 
@@ -62,7 +63,7 @@ class MarkersNode {
   ros::Subscriber map_subscriber_;
   ros::Subscriber plan_subscriber_;
   ros::Subscriber shown_plan_subscriber_;
-  ros::Subscriber selection_subscriber_;
+  SelectedRobot selected_robot_;
   ros::SteadyTimer timer_;
 };
 

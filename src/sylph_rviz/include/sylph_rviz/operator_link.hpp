@@ -23,6 +23,7 @@
 #include "sylph_rviz/goal_markers.hpp"
 #include "sylph_rviz/layer_history.hpp"
 #include "sylph_rviz/operator_model.hpp"
+#include "sylph_rviz/selected_robot.hpp"
 #include "sylph_rviz/trigger_call.hpp"
 
 namespace sylph_rviz {
@@ -106,7 +107,7 @@ class OperatorLink {
   std::string outcome_;
   std::map<std::string, ros::Subscriber> poses_;  ///< of the thread that serves callbacks
   std::vector<ros::Subscriber> subscribers_;
-  ros::Publisher selection_;
+  std::unique_ptr<SelectedRobot> selected_robot_;
   ros::Publisher seek_;
   ros::Publisher goals_;
   std::optional<sylph_msgs::ExecuteMissionGoal> planned_;  ///< what the planner was asked to show
