@@ -98,7 +98,6 @@ void OperatorPanel::buildMission(QVBoxLayout* column) {
   row->addWidget(times_);
   column->addWidget(headline_);
   column->addLayout(row);
-  column->addWidget(message_);
   buildReplay(column);
 }
 
@@ -161,6 +160,8 @@ void OperatorPanel::buildCommands(QVBoxLayout* column) {
     buttons->addWidget(button);
   }
   column->addLayout(buttons);
+  // What comes and goes is below the buttons, so that STOP stays under the mouse.
+  column->addWidget(message_);
   connect(start_, &QPushButton::clicked, this, &OperatorPanel::start);
   connect(pause_, &QPushButton::clicked, this, [this] { link_->pause(); });
   connect(resume_, &QPushButton::clicked, this, [this] { link_->resume(); });

@@ -116,10 +116,17 @@ TEST_F(OperatorPanelTest, TellsWhatTheMotionCaptureOfItsFleetLacks) {
   diagnostics.status[1].name = "sylph/mocap_bridge: link";
   diagnostics.status[1].message = "no frame from 192.168.1.2";
   state_.phase = sylph_msgs::AdgState::IDLE;
+  const auto placeOfStop = [&] {
+    panel_.grab();  // lays it out
+    return button("stop").mapTo(&panel_, QPoint()).y();
+  };
+  ASSERT_TRUE(waitUntil([&] { return label("message").empty(); })) << label("message");
+  const int place = placeOfStop();
   EXPECT_TRUE(waitUntil([&] {
     publisher.publish(diagnostics);
     return label("message") == "sylph/mocap_bridge: link: no frame from 192.168.1.2";
   })) << label("message");
+  EXPECT_EQ(place, placeOfStop()) << "STOP moves away from under the mouse";
 }
 
 TEST_F(OperatorPanelTest, TellsThatNobodyOffersAService) {
