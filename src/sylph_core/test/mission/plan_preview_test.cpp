@@ -14,12 +14,6 @@ namespace {
 
 using Stage = PlanPreview::Stage;
 
-MissionLimits limits() {
-  MissionLimits limits;
-  limits.pose_wait_s = 5.0;
-  return limits;
-}
-
 /// The small lab; the clock stands still unless a test moves it.
 class PlanPreviewTest : public testing::Test {
  protected:
@@ -44,7 +38,8 @@ class PlanPreviewTest : public testing::Test {
     return failure != nullptr ? failure->what() : "a plan";
   }
 
-  PlanPreview preview_{smallLab().robots, limits()};
+  MissionLimits limits_;
+  PlanPreview preview_{smallLab().robots, limits_};
   RobotPoses poses_ = posesInStarts();
   double now_s_ = 100.0;
 };
@@ -98,10 +93,10 @@ TEST_F(PlanPreviewTest, WaitsForPosesOnlySoLong) {
   EXPECT_TRUE(tick());
   EXPECT_EQ("", preview_.waitsFor());
 
-  preview_ = PlanPreview(smallLab().robots, limits());
+  preview_ = PlanPreview(smallLab().robots, limits_);
   poses_.erase("robot_1");
   ask();
-  now_s_ += 4.9;
+  now_s_ += limits_.pose_wait_s - 0.1;
   EXPECT_FALSE(tick());
   EXPECT_EQ("none", answer());
   now_s_ += 0.2;
